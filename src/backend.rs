@@ -1,0 +1,127 @@
+//! What the two backends have in common, as the rest of the program sees them.
+
+mod record;
+
+use crate::layout::FrameStats;
+use crate::plan::{FrameInputs, STAGES, Stage};
+
+pub use record::{
+    BindingRecord, BufferRecord, DispatchRecord, Groups, KernelRecord, StageRecord,
+};
+
+/// Why a backend could not go on. All of these are the machine's fault, not the scene's.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum BackendError {
+    /// There was no room for a buffer; what and how many bytes.
+    OutOfMemory(String),
+    /// The driver gave up.
+    DeviceLost(String),
+    /// The adapter cannot run the plan.
+    Unsupported(String),
+    /// The driver or wgpu refused a call: a defect of ours or theirs.
+    Internal(String),
+}
+
+impl std::fmt::Display for BackendError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::OutOfMemory(what) => write!(
+                f,
+                "error: out of memory: {what}\n  = help: take a smaller capacity or image, or \
+                 another adapter"
+            ),
+            Self::DeviceLost(what) => write!(
+                f,
+                "error: the device was lost: {what}\n  = help: try again, or `--adapter cpu`"
+            ),
+            Self::Unsupported(what) => write!(
+                f,
+                "error: the adapter cannot run this: {what}\n  = help: `motes adapters` lists \
+                 others; `--adapter cpu` always works"
+            ),
+            Self::Internal(what) => write!(
+                f,
+                "error: the graphics driver refused a call: {what}\n  = help: `--adapter cpu` \
+                 does not need the driver; `motes check` may name the stage"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for BackendError {}
+
+/// A plan under way on some processor. Pools start empty.
+pub trait Backend {
+    /// Name of the adapter, for people.
+    fn adapter_name(&self) -> String;
+
+    /// Whether its bits are those that every exact backend makes.
+    fn is_exact(&self) -> bool;
+
+    /// Runs one stage, and finishes it before it returns where the backend works in the background.
+    ///
+    /// # Errors
+    /// [`BackendError`] when the machine fails.
+    fn run_stage(&mut self, stage: Stage, inputs: &FrameInputs) -> Result<(), BackendError>;
+
+    /// Runs all stages of the simulation, in order. May return before they are done.
+    ///
+    /// # Errors
+    /// As [`Backend::run_stage`].
+    fn step(&mut self, inputs: &FrameInputs) -> Result<(), BackendError> {
+        for info in STAGES.iter().filter(|info| !info.draws) {
+            self.run_stage(info.stage, inputs)?;
+        }
+        Ok(())
+    }
+
+    /// Runs all stages of drawing, in order, on the state after the last step.
+    ///
+    /// # Errors
+    /// As [`Backend::run_stage`].
+    fn draw(&mut self, inputs: &FrameInputs) -> Result<(), BackendError> {
+        for info in STAGES.iter().filter(|info| info.draws) {
+            self.run_stage(info.stage, inputs)?;
+        }
+        Ok(())
+    }
+
+    /// The live records of a state buffer, as words. `particles` has those present: the living
+    /// and, between emit and advance, the newborn and the dying.
+    ///
+    /// # Errors
+    /// As [`Backend::run_stage`].
+    fn read(&mut self, buffer: &str) -> Result<Vec<u32>, BackendError>;
+
+    /// The statistics of all frames stepped since the last call, in order.
+    ///
+    /// # Errors
+    /// As [`Backend::run_stage`].
+    fn take_statistics(&mut self) -> Result<Vec<FrameStats>, BackendError>;
+
+    /// The stage as it would run now, with everything that it reads; `None` on a backend that has
+    /// no kernels. Everything before it in the frame must have run.
+    ///
+    /// # Errors
+    /// As [`Backend::run_stage`].
+    fn record_stage(
+        &mut self,
+        stage: Stage,
+        inputs: &FrameInputs,
+    ) -> Result<Option<StageRecord>, BackendError> {
+        let _ = (stage, inputs);
+        Ok(None)
+    }
+
+    /// Digest of the live particles, made on the backend itself.
+    ///
+    /// # Errors
+    /// As [`Backend::run_stage`].
+    fn state_digest(&mut self) -> Result<u64, BackendError>;
+
+    /// Digest of the image, made on the backend itself.
+    ///
+    /// # Errors
+    /// As [`Backend::run_stage`].
+    fn image_digest(&mut self) -> Result<u64, BackendError>;
+}

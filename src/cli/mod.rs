@@ -1,0 +1,122 @@
+//! The command line: parsed low, checked high, one file a subcommand.
+
+mod adapters;
+mod render;
+mod scenes;
+
+use std::io::Write;
+
+use clap::{Parser, Subcommand};
+
+use crate::backend::BackendError;
+use crate::output::OutputError;
+use crate::plan::PlanError;
+use crate::recording::RecordingError;
+use crate::scene::SceneError;
+use crate::simulation::SimulationError;
+
+/// A headless-first particle laboratory: the same bits on every driver.
+#[derive(Debug, Parser)]
+#[command(name = "motes", version, max_term_width = 100, arg_required_else_help = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Simulate a scene and draw it into pictures or an animation
+    Render(render::RenderArgs),
+    /// List the adapters that scenes can run on, best first
+    Adapters(adapters::AdaptersArgs),
+    /// List the built-in scenes
+    Scenes(scenes::ScenesArgs),
+}
+
+/// What a command has to say when it cannot do its work, and with which exit code.
+#[derive(Debug)]
+pub struct CliError {
+    /// A few lines: what, where, what would be right.
+    pub message: String,
+    /// 2: the input is at fault; 3: the machine is.
+    pub code: u8,
+}
+
+impl CliError {
+    /// The input is at fault.
+    pub fn usage(what: impl std::fmt::Display, help: impl std::fmt::Display) -> Self {
+        Self { message: format!("error: {what}\n  = help: {help}"), code: 2 }
+    }
+}
+
+impl From<SceneError> for CliError {
+    fn from(error: SceneError) -> Self {
+        Self { message: error.to_string(), code: 2 }
+    }
+}
+
+impl From<PlanError> for CliError {
+    fn from(error: PlanError) -> Self {
+        Self { message: error.to_string(), code: 2 }
+    }
+}
+
+impl From<RecordingError> for CliError {
+    fn from(error: RecordingError) -> Self {
+        Self { message: error.to_string(), code: 2 }
+    }
+}
+
+impl From<SimulationError> for CliError {
+    fn from(error: SimulationError) -> Self {
+        Self { message: error.to_string(), code: if error.is_users_fault() { 2 } else { 3 } }
+    }
+}
+
+impl From<BackendError> for CliError {
+    fn from(error: BackendError) -> Self {
+        Self { message: error.to_string(), code: 3 }
+    }
+}
+
+impl From<OutputError> for CliError {
+    fn from(error: OutputError) -> Self {
+        let code = if error.is_users_fault() { 2 } else { 3 };
+        let text = error.to_string();
+        let message = if text.starts_with("error:") { text } else { format!("error: {text}") };
+        Self { message, code }
+    }
+}
+
+/// Writes to standard output; a reader that has gone away is an error, not a panic.
+pub(crate) fn print(text: &str) -> Result<(), CliError> {
+    let mut out = std::io::stdout().lock();
+    out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|e| CliError {
+        message: format!("error: standard output cannot be written: {e}"),
+        code: 3,
+    })
+}
+
+/// Runs the program with the process's arguments; the exit code.
+pub fn main() -> u8 {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(e) => {
+            // Help and version are no failures; a closed terminal cannot be told about.
+            let _ = e.print();
+            return u8::from(e.use_stderr()) * 2;
+        }
+    };
+    let result = match cli.command {
+        Command::Render(args) => render::run(args),
+        Command::Adapters(args) => adapters::run(&args),
+        Command::Scenes(args) => scenes::run(&args),
+    };
+    match result {
+        Ok(code) => code,
+        Err(e) => {
+            let _ = writeln!(std::io::stderr(), "{}", e.message.trim_end());
+            e.code
+        }
+    }
+}

@@ -1,0 +1,280 @@
+//! `motes render`: a scene becomes pictures, an animation, statistics and dumps.
+
+use std::collections::BTreeMap;
+use std::io::IsTerminal;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+use super::CliError;
+use crate::layout::FrameStats;
+use crate::output::{
+    FrameSink, Measured, OutputTarget, ParticleCounts, ParticleRecord, Rgba8Image, StatsRow,
+    StatsWriter, dump_path, write_particles,
+};
+use crate::recording::Recording;
+use crate::scene::{self, Scene};
+use crate::simulation::{AdapterChoice, Options, Simulation};
+
+/// Arguments of `motes render`.
+#[derive(Debug, clap::Args)]
+pub(super) struct RenderArgs {
+    /// A TOML file, or the name of a built-in scene (`motes scenes` lists them)
+    scene: String,
+    /// Where to: a folder or name-%04d.png (a PNG a frame), .png (one frame), .gif
+    /// [default: PNGs under out/SCENE/]
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<String>,
+    /// Frames to draw, from A to before B [default: the whole scene]
+    #[arg(long, value_name = "A..B", value_parser = parse_frames, conflicts_with = "frame")]
+    frames: Option<Range<u32>>,
+    /// Draw this frame alone; the simulation starts as late as particles' lifetimes allow
+    #[arg(long, value_name = "N")]
+    frame: Option<u32>,
+    /// Size of the picture in pixels
+    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    size: Option<(u32, u32)>,
+    /// Seed of every random decision [default: the scene's]
+    #[arg(long, value_name = "N")]
+    seed: Option<u64>,
+    /// auto, cpu, or part of an adapter's name
+    #[arg(long, value_name = "A", env = "MOTES_ADAPTER", default_value = "auto")]
+    adapter: String,
+    /// Write what happened in each frame: births, deaths, digests
+    #[arg(long, value_name = "FILE.csv")]
+    stats: Option<PathBuf>,
+    /// Write the particles of these frames as PLY files
+    #[arg(long, value_name = "N,N,…", value_delimiter = ',')]
+    dump: Vec<u32>,
+    /// Where dumps go [default: out/SCENE/]
+    #[arg(long, value_name = "DIR")]
+    dump_dir: Option<PathBuf>,
+    /// Change a key of the scene, e.g. camera.vertical_fov_degrees=30
+    #[arg(long, value_name = "path.to.key=value")]
+    set: Vec<String>,
+    /// Replay changes: lines of `FRAME path.to.key=value`
+    #[arg(long, value_name = "FILE")]
+    inputs: Option<PathBuf>,
+}
+
+fn parse_frames(text: &str) -> Result<Range<u32>, String> {
+    let expected = "frames are A..B with A before B, e.g. 0..48";
+    let (start, end) = text.split_once("..").ok_or(expected)?;
+    let start: u32 = start.trim().parse().map_err(|_| expected)?;
+    let end: u32 = end.trim().parse().map_err(|_| expected)?;
+    if start >= end || end > MOST_FRAMES {
+        return Err(format!("{expected}, at most {MOST_FRAMES}"));
+    }
+    Ok(start..end)
+}
+
+fn parse_size(text: &str) -> Result<(u32, u32), String> {
+    let expected = "a size is WxH in pixels, e.g. 1280x720";
+    let (width, height) = text.split_once(['x', 'X', '×']).ok_or(expected)?;
+    let side = |text: &str| text.trim().parse().map_err(|_| expected.to_owned());
+    Ok((side(width)?, side(height)?))
+}
+
+/// As long as a scene can be.
+const MOST_FRAMES: u32 = 1_000_000;
+
+pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
+    let mut sets = args.set.clone();
+    if let Some((width, height)) = args.size {
+        sets.push(format!("image.width={width}"));
+        sets.push(format!("image.height={height}"));
+    }
+    if let Some(seed) = args.seed {
+        sets.push(format!("seed={seed}"));
+    }
+    let scene = scene::load_with(&args.scene, &sets)?;
+    let frames = match (args.frame, &args.frames) {
+        (Some(frame), _) if frame >= MOST_FRAMES => {
+            return Err(CliError::usage(
+                format!("frame {frame} is too late"),
+                format!("frames are below {MOST_FRAMES}"),
+            ));
+        }
+        (Some(frame), _) => frame..frame + 1,
+        (None, Some(frames)) => frames.clone(),
+        (None, None) => 0..scene.frames,
+    };
+    let folder = Path::new("out").join(&scene.name);
+    let dump_dir = args.dump_dir.clone().unwrap_or_else(|| folder.clone());
+    if let Some(frame) = args.dump.iter().find(|frame| !frames.contains(frame)) {
+        return Err(CliError::usage(
+            format!("frame {frame} is to be dumped but is not rendered"),
+            format!("frames are {}..{}; say others with --frames", frames.start, frames.end),
+        ));
+    }
+    let target = match &args.output {
+        Some(out) => OutputTarget::parse(out)?,
+        None => OutputTarget::Folder(folder),
+    };
+    let turns = match &args.inputs {
+        Some(path) => recording_of(path)?.turns(&args.scene, &sets)?,
+        None => Vec::new(),
+    };
+    let mut simulation = Simulation::new(
+        &scene,
+        &Options {
+            adapter: AdapterChoice::parse(&args.adapter),
+            frame_end: frames.end,
+            turns,
+            ..Options::default()
+        },
+    )?;
+    eprintln!("motes: {} on {}", scene.name, simulation.adapter_name());
+    let mut job = Job {
+        sink: FrameSink::open(
+            &target,
+            scene.image.width,
+            scene.image.height,
+            f64::from(scene.frame_rate),
+            frames.len() as u32,
+        )?,
+        stats: args.stats.as_deref().map(StatsWriter::create).transpose()?,
+        dumps: &args.dump,
+        dump_dir: &dump_dir,
+        image_digests: BTreeMap::new(),
+        state_digests: BTreeMap::new(),
+    };
+    let dropped = job.run(&mut simulation, &scene, &frames)?;
+    let written = job.finish()?;
+    if written.left_out > 0 {
+        eprintln!(
+            "motes: {} frames were left out to keep the animation's speed: a GIF shows at most 50 a second",
+            written.left_out
+        );
+    }
+    if dropped > 0 {
+        eprintln!(
+            "motes: {dropped} births were dropped for want of room; raise the scene's `capacity` ({})",
+            simulation.plan().capacity
+        );
+    }
+    eprintln!("motes: wrote {}", target.path().display());
+    Ok(0)
+}
+
+fn recording_of(path: &Path) -> Result<Recording, CliError> {
+    let text = std::fs::read_to_string(path).map_err(|e| {
+        CliError::usage(format!("{} cannot be read: {e}", path.display()), "name a text file")
+    })?;
+    Ok(Recording::parse(&text, &path.display().to_string())?)
+}
+
+/// What is written while frames go by.
+struct Job<'a> {
+    sink: FrameSink,
+    stats: Option<StatsWriter>,
+    dumps: &'a [u32],
+    dump_dir: &'a Path,
+    image_digests: BTreeMap<u32, u64>,
+    state_digests: BTreeMap<u32, u64>,
+}
+
+impl Job<'_> {
+    /// Renders the frames; how many births were dropped.
+    fn run(
+        &mut self,
+        simulation: &mut Simulation,
+        scene: &Scene,
+        frames: &Range<u32>,
+    ) -> Result<u64, CliError> {
+        let first = simulation.plan().restart_frame(frames.start);
+        let progress = progress_bar(frames.end - first);
+        let mut dropped = 0;
+        for frame in first..frames.end {
+            simulation.seek_from(first, frame)?;
+            if frames.contains(&frame) {
+                self.frame(simulation, scene, frame)?;
+            }
+            // Half of the ring: statistics are never lost, and seldom waited for.
+            if (frame - first) % 100 == 99 || frame + 1 == frames.end {
+                let lines = simulation.take_statistics()?;
+                dropped += lines.iter().map(|line| u64::from(line.dropped)).sum::<u64>();
+                self.write_stats(&lines, frames)?;
+            }
+            progress.inc(1);
+        }
+        progress.finish_and_clear();
+        Ok(dropped)
+    }
+
+    fn frame(&mut self, simulation: &mut Simulation, scene: &Scene, frame: u32) -> Result<(), CliError> {
+        simulation.draw()?;
+        let image = Rgba8Image {
+            width: scene.image.width,
+            height: scene.image.height,
+            pixels: simulation.image()?,
+        };
+        self.sink.write_frame(frame, &image)?;
+        if self.stats.is_some() {
+            self.state_digests.insert(frame, simulation.state_digest()?);
+            self.image_digests.insert(frame, simulation.image_digest()?);
+        }
+        if self.dumps.contains(&frame) {
+            let records: Vec<ParticleRecord> = simulation
+                .particles()?
+                .into_iter()
+                .map(|p| ParticleRecord {
+                    position: p.position,
+                    velocity: p.velocity,
+                    age: p.age,
+                    lifetime: p.lifetime,
+                    system: p.system,
+                    id: p.id,
+                })
+                .collect();
+            write_particles(&dump_path(self.dump_dir, "particles", frame), &records)?;
+        }
+        Ok(())
+    }
+
+    fn write_stats(&mut self, lines: &[FrameStats], frames: &Range<u32>) -> Result<(), CliError> {
+        let Some(stats) = &mut self.stats else { return Ok(()) };
+        for line in lines.iter().filter(|line| frames.contains(&line.frame)) {
+            stats.row(&StatsRow {
+                frame: line.frame,
+                population: "particles",
+                measured: Measured::Particles(ParticleCounts {
+                    requested: line.requested.into(),
+                    born: line.born.into(),
+                    died: line.died.into(),
+                    live: line.live.into(),
+                    dropped: line.dropped.into(),
+                }),
+                digest: self.state_digests.remove(&line.frame),
+            })?;
+            stats.row(&StatsRow {
+                frame: line.frame,
+                population: "image",
+                measured: Measured::Image,
+                digest: self.image_digests.remove(&line.frame),
+            })?;
+        }
+        Ok(())
+    }
+
+    fn finish(self) -> Result<crate::output::Written, CliError> {
+        let written = self.sink.finish()?;
+        if let Some(stats) = self.stats {
+            stats.finish()?;
+        }
+        Ok(written)
+    }
+}
+
+fn progress_bar(frames: u32) -> ProgressBar {
+    if !std::io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} frames, {per_sec}, {eta} left");
+    let bar = ProgressBar::new(u64::from(frames));
+    match style {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
+}

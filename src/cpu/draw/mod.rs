@@ -1,0 +1,4 @@
+//! Stages of drawing.
+
+pub mod resolve;
+pub mod splat;

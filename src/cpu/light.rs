@@ -1,0 +1,76 @@
+//! Light in fixed point: 64-bit counts of 2^-20 steps. Twin of `wgsl/lib/light.wgsl`, whose two
+//! 32-bit limbs are one integer here.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use crate::exact::{f32_of_u32, to_i32};
+
+/// Steps of light in 1.0.
+pub const LIGHT_STEPS: f32 = 1_048_576.0;
+
+/// A contribution in steps, to the nearest.
+#[inline]
+pub fn steps_of(light: f32) -> u32 {
+    to_i32(light * LIGHT_STEPS + 0.5).max(0) as u32
+}
+
+/// The light that the two limbs hold.
+#[inline]
+pub fn light_of(low: u32, high: u32) -> f32 {
+    let fraction = f32_of_u32(low & 0xfff) * 0.000_000_953_674_316_406_25;
+    let middle = f32_of_u32(low >> 12) * 0.003_906_25;
+    f32_of_u32(high.min(0x00ff_ffff)) * 4096.0 + (middle + fraction)
+}
+
+/// The sums of light of an image: three channels a pixel, rows from the top.
+#[derive(Debug)]
+pub struct LightSums {
+    /// Pixels across.
+    pub width: u32,
+    /// Pixels down.
+    pub height: u32,
+    sums: Vec<AtomicU64>,
+}
+
+impl LightSums {
+    /// A dark image.
+    pub fn new(width: u32, height: u32) -> Self {
+        let channels = width as usize * height as usize * 3;
+        let mut sums = Vec::with_capacity(channels);
+        sums.resize_with(channels, AtomicU64::default);
+        Self { width, height, sums }
+    }
+
+    /// Makes it dark again.
+    pub fn clear(&mut self) {
+        for sum in &mut self.sums {
+            *sum.get_mut() = 0;
+        }
+    }
+
+    /// Adds light to channel `at` = 3 pixel + channel. Sums do not depend on the order.
+    #[inline]
+    pub fn add(&self, at: usize, steps: u32) {
+        // A zero is most often an uncovered channel: not worth a locked instruction.
+        if steps != 0 {
+            self.sums[at].fetch_add(u64::from(steps), Ordering::Relaxed);
+        }
+    }
+
+    /// The low and the high limb of channel `at`.
+    #[inline]
+    pub fn limbs(&self, at: usize) -> (u32, u32) {
+        let sum = self.sums[at].load(Ordering::Relaxed);
+        (sum as u32, (sum >> 32) as u32)
+    }
+
+    /// Number of channels in all.
+    pub fn len(&self) -> usize {
+        self.sums.len()
+    }
+
+    /// Whether the image has no pixels.
+    pub fn is_empty(&self) -> bool {
+        self.sums.is_empty()
+    }
+}

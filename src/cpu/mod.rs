@@ -1,0 +1,256 @@
+//! A [`Plan`] on the processor, with rayon: always there, and the other side of every comparison.
+//!
+//! Stages of float work are line-by-line twins of their WGSL kernels; births, compaction and
+//! digests are plain Rust, so that the two sides are not one translation.
+
+mod digest;
+pub mod draw;
+pub mod light;
+pub mod particle;
+pub mod particles;
+pub mod systems;
+
+use rayon::prelude::*;
+
+use crate::backend::{Backend, BackendError};
+use crate::layout::{Counts, FrameStats, Particle, SystemRow};
+use crate::plan::{FrameInputs, Plan, Stage};
+use light::LightSums;
+use particle::{Identity, row_index};
+
+pub use digest::digest;
+
+/// Particles that a task takes at a time; a multiple of 32, so that words of bits stay whole.
+const CHUNK: usize = 8192;
+
+/// The state of a run on the processor.
+#[derive(Debug)]
+pub struct CpuBackend {
+    rows: Vec<SystemRow>,
+    birth_counts: Vec<u32>,
+    birth_offsets: Vec<u32>,
+    counts: Counts,
+    particles: Vec<Particle>,
+    survivors: Vec<Particle>,
+    alive_bits: Vec<u32>,
+    light: LightSums,
+    image: Vec<u32>,
+    statistics: Vec<FrameStats>,
+    threads: Option<rayon::ThreadPool>,
+}
+
+impl CpuBackend {
+    /// An empty run of `plan`, on `threads` threads, or as many as the machine has cores.
+    ///
+    /// # Errors
+    /// Out of memory, or threads that cannot be started.
+    pub fn new(plan: &Plan, threads: Option<usize>) -> Result<Self, BackendError> {
+        let pool = |count| {
+            rayon::ThreadPoolBuilder::new()
+                .num_threads(count)
+                .build()
+                .map_err(|e| BackendError::Internal(format!("threads cannot be started: {e}")))
+        };
+        let mut particles = Vec::new();
+        particles.try_reserve(plan.capacity.min(1 << 20) as usize).map_err(|_| {
+            BackendError::OutOfMemory(format!("a pool of {} particles", plan.capacity))
+        })?;
+        let pixels = plan.width as usize * plan.height as usize;
+        Ok(Self {
+            rows: vec![SystemRow::default(); (plan.system_count * plan.row_count) as usize],
+            birth_counts: Vec::new(),
+            birth_offsets: Vec::new(),
+            counts: Counts::default(),
+            particles,
+            survivors: Vec::new(),
+            alive_bits: Vec::new(),
+            light: LightSums::new(plan.width, plan.height),
+            image: vec![0; pixels],
+            statistics: Vec::new(),
+            threads: threads.map(pool).transpose()?,
+        })
+    }
+
+    fn run(&mut self, stage: Stage, inputs: &FrameInputs) -> Result<(), BackendError> {
+        match stage {
+            Stage::Births => self.births(inputs),
+            Stage::Emit => self.emit(inputs)?,
+            Stage::Cull => self.cull(inputs),
+            Stage::Advance => self.advance(inputs)?,
+            Stage::Splat => {
+                self.light.clear();
+                let (rows, light) = (&self.rows, &self.light);
+                self.particles
+                    .par_chunks(CHUNK / 8)
+                    .for_each(|chunk| {
+                        for particle in chunk {
+                            draw::splat::splat(particle, inputs, rows, light);
+                        }
+                    });
+            }
+            Stage::Resolve => {
+                let light = &self.light;
+                self.image.par_iter_mut().with_min_len(4096).enumerate().for_each(
+                    |(pixel, out)| *out = draw::resolve::resolve(&inputs.frame, light, pixel),
+                );
+            }
+        }
+        Ok(())
+    }
+
+    fn births(&mut self, inputs: &FrameInputs) {
+        for (slot, row) in inputs.rows.iter().enumerate() {
+            let at = row_index(slot as u32, inputs.frame.frame, inputs.frame.row_mask);
+            self.rows[at] = *row;
+        }
+        (self.birth_counts, self.birth_offsets) = systems::births::births(inputs);
+        let requested = self.birth_offsets.last().copied().unwrap_or(0);
+        self.counts =
+            systems::births::book(self.counts.live, requested, inputs.frame.capacity);
+    }
+
+    fn emit(&mut self, inputs: &FrameInputs) -> Result<(), BackendError> {
+        let frame = &inputs.frame;
+        let live = self.counts.live as usize;
+        grow(&mut self.particles, self.counts.total as usize)?;
+        for (slot, system) in inputs.systems.iter().enumerate() {
+            let room = |offset: u32| offset.min(self.counts.born) as usize;
+            let (start, end) =
+                (room(self.birth_offsets[slot]), room(self.birth_offsets[slot + 1]));
+            let slot = slot as u32;
+            let row = self.rows[row_index(slot, frame.frame, frame.row_mask)];
+            self.particles[live + start..live + end]
+                .par_iter_mut()
+                .with_min_len(CHUNK / 8)
+                .enumerate()
+                .for_each(|(index, newborn)| {
+                    let who = Identity {
+                        key: system.key,
+                        birth_frame: frame.frame,
+                        index: index as u32,
+                    };
+                    *newborn = particles::emit::emit(who, slot, &row);
+                });
+        }
+        Ok(())
+    }
+
+    fn cull(&mut self, inputs: &FrameInputs) {
+        let rows = &self.rows;
+        self.alive_bits.resize(self.particles.len().div_ceil(32), 0);
+        self.alive_bits
+            .par_iter_mut()
+            .with_min_len(CHUNK / 32)
+            .zip(self.particles.par_chunks(32))
+            .for_each(|(bits, word)| {
+                *bits = word.iter().enumerate().fold(0, |bits, (at, particle)| {
+                    bits | u32::from(particles::cull::survives(particle, inputs, rows)) << at
+                });
+            });
+    }
+
+    fn advance(&mut self, inputs: &FrameInputs) -> Result<(), BackendError> {
+        let live_by_chunk: Vec<usize> = self
+            .alive_bits
+            .par_chunks(CHUNK / 32)
+            .map(|bits| bits.iter().map(|word| word.count_ones() as usize).sum())
+            .collect();
+        let live = live_by_chunk.iter().sum();
+        grow(&mut self.survivors, live)?;
+        let mut places = self.survivors.as_mut_slice();
+        let mut targets = Vec::with_capacity(live_by_chunk.len());
+        for count in live_by_chunk {
+            let (target, rest) = places.split_at_mut(count);
+            targets.push(target);
+            places = rest;
+        }
+        targets
+            .into_par_iter()
+            .zip(self.particles.par_chunks(CHUNK))
+            .zip(self.alive_bits.par_chunks(CHUNK / 32))
+            .for_each(|((target, source), bits)| {
+                let alive = |at: &usize| bits[at / 32] >> (at % 32) & 1 == 1;
+                let survivors = (0..source.len()).filter(alive);
+                for (place, at) in target.iter_mut().zip(survivors) {
+                    let particle = &source[at];
+                    let system = &inputs.systems[particle.slot() as usize];
+                    *place = particles::advance::advance(particle, system);
+                }
+            });
+        std::mem::swap(&mut self.particles, &mut self.survivors);
+        let counts = &mut self.counts;
+        counts.died = counts.total - live as u32;
+        counts.live = live as u32;
+        self.statistics.push(FrameStats {
+            frame: inputs.frame.frame,
+            requested: counts.requested,
+            born: counts.born,
+            died: counts.died,
+            live: counts.live,
+            dropped: counts.dropped,
+            ..FrameStats::default()
+        });
+        Ok(())
+    }
+}
+
+/// Resizes a pool without aborting the program when memory runs out.
+fn grow(pool: &mut Vec<Particle>, len: usize) -> Result<(), BackendError> {
+    if let Some(more) = len.checked_sub(pool.len()) {
+        pool.try_reserve(more)
+            .map_err(|_| BackendError::OutOfMemory(format!("a pool of {len} particles")))?;
+    }
+    pool.resize(len, Particle::default());
+    Ok(())
+}
+
+impl Backend for CpuBackend {
+    fn adapter_name(&self) -> String {
+        let threads = match &self.threads {
+            Some(pool) => pool.current_num_threads(),
+            None => rayon::current_num_threads(),
+        };
+        format!("cpu ({threads} threads)")
+    }
+
+    fn is_exact(&self) -> bool {
+        true
+    }
+
+    fn run_stage(&mut self, stage: Stage, inputs: &FrameInputs) -> Result<(), BackendError> {
+        match self.threads.take() {
+            Some(pool) => {
+                let result = pool.install(|| self.run(stage, inputs));
+                self.threads = Some(pool);
+                result
+            }
+            None => self.run(stage, inputs),
+        }
+    }
+
+    fn read(&mut self, buffer: &str) -> Result<Vec<u32>, BackendError> {
+        Ok(match buffer {
+            "birth_counts" => self.birth_counts.clone(),
+            "birth_offsets" => self.birth_offsets.clone(),
+            "counts" => bytemuck::cast_slice(&[self.counts]).to_vec(),
+            "particles" => bytemuck::cast_slice(&self.particles).to_vec(),
+            "alive_bits" => self.alive_bits.clone(),
+            "light_low" => (0..self.light.len()).map(|at| self.light.limbs(at).0).collect(),
+            "light_high" => (0..self.light.len()).map(|at| self.light.limbs(at).1).collect(),
+            "image" => self.image.clone(),
+            _ => return Err(BackendError::Internal(format!("no state buffer `{buffer}`"))),
+        })
+    }
+
+    fn take_statistics(&mut self) -> Result<Vec<FrameStats>, BackendError> {
+        Ok(std::mem::take(&mut self.statistics))
+    }
+
+    fn state_digest(&mut self) -> Result<u64, BackendError> {
+        Ok(digest(bytemuck::cast_slice(&self.particles), 2))
+    }
+
+    fn image_digest(&mut self) -> Result<u64, BackendError> {
+        Ok(digest(&self.image, 1))
+    }
+}

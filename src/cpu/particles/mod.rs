@@ -1,0 +1,5 @@
+//! Stages of particles.
+
+pub mod advance;
+pub mod cull;
+pub mod emit;

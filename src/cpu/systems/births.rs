@@ -1,0 +1,49 @@
+//! births: how many particles each system asks for, where they go, and how many there is room for.
+//! The float work is the twin of `wgsl/systems/births.wgsl`; the sums are plain Rust.
+
+use crate::cpu::particle::{Identity, STREAM_BIRTHS, draw};
+use crate::exact::to_i32;
+use crate::layout::{Counts, SystemFrame};
+use crate::plan::FrameInputs;
+use crate::rng::{signed_float, unit_float};
+
+/// Below 2^24, so that a count is exact as a float.
+pub const MOST_BIRTHS: i32 = 16_777_215;
+
+/// Births that the system asks for in `frame` (Reeves 1983, 2.1).
+pub fn births_of(system: &SystemFrame, frame: u32) -> u32 {
+    let who = Identity { key: system.key, birth_frame: frame, index: 0 };
+    let random = draw(who, STREAM_BIRTHS);
+    let wanted = system.mean_parts + signed_float(random.x) * system.var_parts;
+    let stochastic = system.stochastic_rounding == 1;
+    let count = to_i32(wanted + if stochastic { unit_float(random.y) } else { 0.5 });
+    count.clamp(0, MOST_BIRTHS) as u32
+}
+
+/// Births by system, and the running sum before each with the total at the end.
+pub fn births(inputs: &FrameInputs) -> (Vec<u32>, Vec<u32>) {
+    let counts: Vec<u32> = inputs
+        .systems
+        .iter()
+        .map(|system| births_of(system, inputs.frame.frame))
+        .collect();
+    let mut offsets = vec![0];
+    offsets.extend(counts.iter().scan(0u32, |sum, count| {
+        *sum += count;
+        Some(*sum)
+    }));
+    (counts, offsets)
+}
+
+/// The frame's books after the births: what does not fit in `capacity` is dropped.
+pub fn book(live: u32, requested: u32, capacity: u32) -> Counts {
+    let born = requested.min(capacity - live);
+    Counts {
+        live,
+        requested,
+        born,
+        dropped: requested - born,
+        total: live + born,
+        ..Counts::default()
+    }
+}

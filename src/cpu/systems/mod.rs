@@ -1,0 +1,3 @@
+//! Stages of whole particle systems.
+
+pub mod births;

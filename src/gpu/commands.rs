@@ -1,0 +1,231 @@
+//! The plan's stages as dispatches: which kernels, in which order, on which buffers, and how much.
+
+use std::collections::HashMap;
+
+use super::GpuBackend;
+use super::dispatch::dispatch_for;
+use super::kernel::Kernel;
+use super::shader::Access;
+use crate::backend::BackendError;
+use crate::plan::{Plan, Stage};
+
+/// How a stage uses a kernel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct KernelUse {
+    /// The stage.
+    pub stage: Stage,
+    /// The kernel.
+    pub kernel: &'static str,
+    work: Work,
+}
+
+/// How much work a kernel has, and whether it is dispatched page by page.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Work {
+    /// One invocation in all.
+    Once,
+    /// One a system.
+    Systems,
+    /// One a pixel.
+    Pixels,
+    /// As the dispatch at that place says.
+    Listed(u32),
+    /// Page by page, as emit's dispatches say.
+    NewbornPages,
+    /// Page by page, as the cull's dispatches say.
+    PresentPages,
+    /// For each page that survivors leave and each that they may go to.
+    PagePairs,
+    /// Page by page, as the splat's dispatches say.
+    LivePages,
+}
+
+/// Every kernel of a frame in order; reading it is reading the frame on a device.
+pub static STAGE_KERNELS: &[KernelUse] = &[
+    KernelUse { stage: Stage::Births, kernel: "systems/births", work: Work::Systems },
+    KernelUse { stage: Stage::Births, kernel: "systems/offsets", work: Work::Once },
+    KernelUse { stage: Stage::Emit, kernel: "particles/emit", work: Work::NewbornPages },
+    KernelUse { stage: Stage::Cull, kernel: "particles/cull", work: Work::PresentPages },
+    KernelUse { stage: Stage::Advance, kernel: "scan/count_bits", work: Work::Listed(0) },
+    KernelUse { stage: Stage::Advance, kernel: "scan/sum_runs", work: Work::Listed(1) },
+    KernelUse { stage: Stage::Advance, kernel: "scan/survivors", work: Work::Once },
+    KernelUse { stage: Stage::Advance, kernel: "scan/spread_runs", work: Work::Listed(1) },
+    KernelUse { stage: Stage::Advance, kernel: "scan/spread_bits", work: Work::Listed(0) },
+    KernelUse { stage: Stage::Advance, kernel: "scan/pages", work: Work::Once },
+    KernelUse { stage: Stage::Advance, kernel: "particles/advance", work: Work::PagePairs },
+    KernelUse { stage: Stage::Splat, kernel: "draw/splat", work: Work::LivePages },
+    KernelUse { stage: Stage::Resolve, kernel: "draw/resolve", work: Work::Pixels },
+];
+
+/// Records that an invocation of the digest takes.
+const DIGEST_RUN: u32 = 64;
+
+/// One dispatch, ready to encode.
+#[derive(Debug)]
+pub(super) struct Command {
+    pub(super) kernel: &'static str,
+    group: wgpu::BindGroup,
+    immediates: Vec<u32>,
+    size: Size,
+}
+
+#[derive(Debug)]
+enum Size {
+    Direct(u32, u32),
+    /// Index into `dispatches`.
+    Indirect(u32),
+}
+
+impl Command {
+    pub(super) fn encode(
+        &self,
+        pass: &mut wgpu::ComputePass,
+        kernels: &HashMap<&'static str, Kernel>,
+        dispatches: &wgpu::Buffer,
+    ) {
+        pass.set_pipeline(&kernels[self.kernel].pipeline);
+        pass.set_bind_group(0, &self.group, &[]);
+        if !self.immediates.is_empty() {
+            pass.set_immediates(0, bytemuck::cast_slice(&self.immediates));
+        }
+        match self.size {
+            Size::Direct(x, y) => pass.dispatch_workgroups(x, y, 1),
+            Size::Indirect(at) => pass.dispatch_workgroups_indirect(dispatches, u64::from(at) * 12),
+        }
+    }
+}
+
+/// Where the page-bound names of one dispatch lead.
+struct Pages<'a> {
+    particles: Option<&'a wgpu::Buffer>,
+    survivors: Option<&'a wgpu::Buffer>,
+    words: Option<&'a wgpu::Buffer>,
+}
+
+impl GpuBackend {
+    /// The dispatches of `stage` when pool `current` holds the particles.
+    pub(super) fn expand(
+        &self,
+        stage: Stage,
+        current: usize,
+        plan: &Plan,
+        workgroup_size: u32,
+    ) -> Result<Vec<Command>, BackendError> {
+        let mut commands = Vec::new();
+        for kernel_use in STAGE_KERNELS.iter().filter(|kernel_use| kernel_use.stage == stage) {
+            self.expand_kernel(kernel_use, current, plan, workgroup_size, &mut commands)?;
+        }
+        Ok(commands)
+    }
+
+    fn expand_kernel(
+        &self,
+        kernel_use: &KernelUse,
+        current: usize,
+        plan: &Plan,
+        workgroup_size: u32,
+        commands: &mut Vec<Command>,
+    ) -> Result<(), BackendError> {
+        let kernel = kernel_use.kernel;
+        let paging = self.memory.paging;
+        let (here, there) = (&self.memory.pools[current], &self.memory.pools[1 - current]);
+        let mut push = |source: usize, target: usize, immediates: &[u32], size: Size| {
+            let pages = Pages {
+                particles: here.get(source),
+                survivors: there.get(target),
+                words: None,
+            };
+            let command = self.command(kernel, &pages, immediates, size)?;
+            commands.push(command);
+            Ok::<(), BackendError>(())
+        };
+        let direct = |invocations: u32| {
+            let (x, y) = dispatch_for(invocations, workgroup_size);
+            Size::Direct(x, y)
+        };
+        match kernel_use.work {
+            Work::Once => push(0, 0, &[], Size::Direct(1, 1)),
+            Work::Systems => push(0, 0, &[], direct(plan.system_count)),
+            Work::Pixels => push(0, 0, &[], direct(plan.width * plan.height)),
+            Work::Listed(at) => push(0, 0, &[], Size::Indirect(at)),
+            Work::NewbornPages => (0..paging.page_count).try_for_each(|page| {
+                push(page as usize, 0, &[page], Size::Indirect(paging.emit_dispatch(page)))
+            }),
+            Work::PresentPages => (0..paging.page_count).try_for_each(|page| {
+                push(page as usize, 0, &[page], Size::Indirect(paging.cull_dispatch(page)))
+            }),
+            Work::LivePages => (0..paging.page_count).try_for_each(|page| {
+                push(page as usize, 0, &[page], Size::Indirect(paging.splat_dispatch(page)))
+            }),
+            Work::PagePairs => (0..paging.page_count).try_for_each(|source| {
+                (0..=source).try_for_each(|target| {
+                    let size = Size::Indirect(paging.pair_dispatch(source, target));
+                    push(source as usize, target as usize, &[source, target], size)
+                })
+            }),
+        }
+    }
+
+    fn command(
+        &self,
+        kernel_name: &'static str,
+        pages: &Pages,
+        immediates: &[u32],
+        size: Size,
+    ) -> Result<Command, BackendError> {
+        let kernel = &self.kernels[kernel_name];
+        let mut entries = Vec::new();
+        for binding in &kernel.bindings {
+            let page = match binding.name.as_str() {
+                "particles" => pages.particles,
+                "survivors" => pages.survivors,
+                "words" => pages.words,
+                name => Some(self.memory.named(name)?),
+            };
+            let buffer = page.ok_or_else(|| {
+                BackendError::Internal(format!("{}: no page for `{}`", kernel.name, binding.name))
+            })?;
+            debug_assert!(binding.access != Access::Uniform || binding.name == "frame");
+            entries.push(wgpu::BindGroupEntry {
+                binding: binding.binding,
+                resource: buffer.as_entire_binding(),
+            });
+        }
+        let group = self.gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some(kernel_name),
+            layout: &kernel.layout,
+            entries: &entries,
+        });
+        Ok(Command { kernel: kernel_name, group, immediates: immediates.to_vec(), size })
+    }
+
+    /// The digest of the living in pool `current`.
+    pub(super) fn particle_digest(&self, current: usize) -> Result<Vec<Command>, BackendError> {
+        let page_len = self.memory.paging.page_len;
+        self.memory.pools[current]
+            .iter()
+            .enumerate()
+            .map(|(page, buffer)| self.digest_command(buffer, page as u32 * page_len, page_len, 2, true))
+            .collect()
+    }
+
+    /// The digest of the image, four pixels a record.
+    pub(super) fn image_digest_commands(&self) -> Result<Vec<Command>, BackendError> {
+        let image = self.memory.named("image")?;
+        Ok(vec![self.digest_command(image, 0, self.pixels.div_ceil(4), 1, false)?])
+    }
+
+    fn digest_command(
+        &self,
+        words: &wgpu::Buffer,
+        first: u32,
+        records: u32,
+        vectors_per_record: u32,
+        live_only: bool,
+    ) -> Result<Command, BackendError> {
+        let pages = Pages { particles: None, survivors: None, words: Some(words) };
+        let (x, y) = dispatch_for(records.div_ceil(DIGEST_RUN), self.workgroup_size);
+        let immediates = [first, records, vectors_per_record, 0, u32::from(live_only)];
+        self.command("digest/digest", &pages, &immediates, Size::Direct(x, y))
+    }
+}

@@ -1,0 +1,136 @@
+//! The declared buffers of a plan on a device, and the two pools in pages.
+
+use std::collections::HashMap;
+
+use super::adapter::GpuDevice;
+use crate::backend::BackendError;
+use crate::layout::{Dispatch, Particle};
+use crate::plan::{BUFFERS, BufferRole, Count, Plan};
+
+/// A page holds a multiple of this many particles: whole words of bits, and whole runs of the scan.
+const PAGE_GRAIN: u32 = 2048;
+
+/// Bytes a particle.
+const PARTICLE_BYTES: u64 = size_of::<Particle>() as u64;
+
+/// How the pools are cut into pages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Paging {
+    /// Particles a page.
+    pub(super) page_len: u32,
+    /// Pages a pool.
+    pub(super) page_count: u32,
+}
+
+impl Paging {
+    /// Pages of at most `most_bytes`, no larger than the capacity needs.
+    pub(super) fn new(capacity: u32, most_bytes: u64) -> Self {
+        let fits = (most_bytes / PARTICLE_BYTES).min(1 << 28) as u32 / PAGE_GRAIN * PAGE_GRAIN;
+        let needed = capacity.div_ceil(PAGE_GRAIN) * PAGE_GRAIN;
+        let page_len = fits.max(PAGE_GRAIN).min(needed);
+        Self { page_len, page_count: capacity.div_ceil(page_len) }
+    }
+
+    /// Dispatches that kernels write: two for the scan, three for each page, one for each pair of
+    /// pages (`wgsl/systems/offsets.wgsl` and `wgsl/scan/pages.wgsl` have the same order).
+    pub(super) fn dispatches(&self) -> u32 {
+        self.pair_dispatch(self.page_count, 0)
+    }
+
+    pub(super) fn emit_dispatch(&self, page: u32) -> u32 {
+        2 + page
+    }
+
+    pub(super) fn cull_dispatch(&self, page: u32) -> u32 {
+        2 + self.page_count + page
+    }
+
+    pub(super) fn splat_dispatch(&self, page: u32) -> u32 {
+        2 + 2 * self.page_count + page
+    }
+
+    pub(super) fn pair_dispatch(&self, source: u32, target: u32) -> u32 {
+        2 + 3 * self.page_count + source * (source + 1) / 2 + target
+    }
+}
+
+/// All buffers of a run.
+#[derive(Debug)]
+pub(super) struct Memory {
+    pub(super) paging: Paging,
+    pub(super) pools: [Vec<wgpu::Buffer>; 2],
+    named: HashMap<&'static str, wgpu::Buffer>,
+    /// Bytes allocated in all.
+    pub(super) bytes: u64,
+}
+
+impl Memory {
+    /// Allocates everything, zeroed.
+    pub(super) fn new(gpu: &GpuDevice, plan: &Plan, most_page_bytes: u64) -> Result<Self, BackendError> {
+        let limits = gpu.device.limits();
+        let most_binding = limits.max_storage_buffer_binding_size;
+        let paging = Paging::new(plan.capacity, most_page_bytes.min(most_binding));
+        let mut bytes = 0;
+        let mut allocate = |name: &str, size: u64| -> Result<wgpu::Buffer, BackendError> {
+            if size > most_binding {
+                return Err(BackendError::Unsupported(format!(
+                    "`{name}` takes {size} bytes, and the adapter binds at most {most_binding}"
+                )));
+            }
+            // Digests look at whole vectors of four words.
+            let size = size.next_multiple_of(16).max(16);
+            bytes += size;
+            Ok(gpu.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some(name),
+                size,
+                usage: usage_of(name),
+                mapped_at_creation: false,
+            }))
+        };
+        let page_bytes = u64::from(paging.page_len) * PARTICLE_BYTES;
+        let mut pools = [Vec::new(), Vec::new()];
+        for pool in &mut pools {
+            for _ in 0..paging.page_count {
+                pool.push(allocate("particles", page_bytes)?);
+            }
+        }
+        let mut named = HashMap::new();
+        for declared in BUFFERS {
+            if matches!(declared.count, Count::ParticlesOver(1)) {
+                continue;
+            }
+            let records = declared.records(plan).unwrap_or_else(|| paging.dispatches());
+            let size = u64::from(records) * u64::from(declared.stride);
+            named.insert(declared.name, allocate(declared.name, size)?);
+        }
+        debug_assert_eq!(size_of::<Dispatch>(), 12);
+        gpu.check().map_err(|failure| match failure {
+            BackendError::OutOfMemory(_) => BackendError::OutOfMemory(format!(
+                "the run needs {} MiB on {}",
+                bytes >> 20,
+                gpu.description.name
+            )),
+            other => other,
+        })?;
+        Ok(Self { paging, pools, named, bytes })
+    }
+
+    /// The buffer of that name; the pools are not among them.
+    pub(super) fn named(&self, name: &str) -> Result<&wgpu::Buffer, BackendError> {
+        self.named
+            .get(name)
+            .ok_or_else(|| BackendError::Internal(format!("no buffer `{name}`")))
+    }
+}
+
+fn usage_of(name: &str) -> wgpu::BufferUsages {
+    use wgpu::BufferUsages as Usage;
+    let role = crate::plan::buffer(name).map(|declared| declared.role);
+    let kind = match (name, role) {
+        ("frame", _) => Usage::UNIFORM | Usage::COPY_DST,
+        ("dispatches", _) => Usage::STORAGE | Usage::INDIRECT,
+        (_, Some(BufferRole::Input)) => Usage::STORAGE | Usage::COPY_DST,
+        _ => Usage::STORAGE | Usage::COPY_DST,
+    };
+    kind | Usage::COPY_SRC
+}

@@ -1,0 +1,142 @@
+//! What comes home from the device: state on request, statistics through a ring without stalling.
+
+use std::sync::mpsc;
+
+use super::adapter::GpuDevice;
+use super::memory::Memory;
+use crate::backend::BackendError;
+use crate::layout::FrameStats;
+
+/// Lines in the device's ring; `wgsl/scan/survivors.wgsl` has the same.
+pub(super) const STATISTICS_LEN: u32 = 256;
+
+/// A half of the ring is fetched while the other fills.
+const HALF: u32 = STATISTICS_LEN / 2;
+
+/// Bytes a line.
+const LINE: u64 = size_of::<FrameStats>() as u64;
+
+/// The first `bytes` (a multiple of 4) of a buffer, after all submitted work.
+pub(super) fn words(gpu: &GpuDevice, buffer: &wgpu::Buffer, bytes: u64) -> Result<Vec<u32>, BackendError> {
+    if bytes == 0 {
+        return Ok(Vec::new());
+    }
+    let staging = staging(gpu, bytes);
+    let mut encoder = gpu.device.create_command_encoder(&Default::default());
+    encoder.copy_buffer_to_buffer(buffer, 0, &staging, 0, bytes);
+    gpu.queue.submit([encoder.finish()]);
+    let mapped = Mapping::begin(staging);
+    gpu.wait()?;
+    mapped.words()
+}
+
+fn staging(gpu: &GpuDevice, bytes: u64) -> wgpu::Buffer {
+    gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("staging"),
+        size: bytes,
+        usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    })
+}
+
+/// A staging buffer on its way to being readable.
+#[derive(Debug)]
+struct Mapping {
+    buffer: wgpu::Buffer,
+    done: mpsc::Receiver<Result<(), wgpu::BufferAsyncError>>,
+}
+
+impl Mapping {
+    fn begin(buffer: wgpu::Buffer) -> Self {
+        let (send, done) = mpsc::channel();
+        buffer.slice(..).map_async(wgpu::MapMode::Read, move |result| {
+            // Nobody listens any more when the run has been given up: nothing is lost.
+            let _ = send.send(result);
+        });
+        Self { buffer, done }
+    }
+
+    /// The words; the device must have been waited for.
+    fn words(self) -> Result<Vec<u32>, BackendError> {
+        let failed = |what: String| BackendError::DeviceLost(format!("readback failed: {what}"));
+        self.done
+            .try_recv()
+            .map_err(|e| failed(e.to_string()))?
+            .map_err(|e| failed(e.to_string()))?;
+        let view = self
+            .buffer
+            .slice(..)
+            .get_mapped_range()
+            .map_err(|e| failed(e.to_string()))?;
+        Ok(bytemuck::pod_collect_to_vec(&view[..]))
+    }
+}
+
+/// Fetches the device's ring of statistics, half by half.
+#[derive(Debug, Default)]
+pub(super) struct StatisticsRing {
+    /// First frame that has not been fetched, and one past the last that has been stepped.
+    first: Option<u32>,
+    end: u32,
+    /// Copied in the encoder at hand, not yet submitted.
+    copied: Vec<wgpu::Buffer>,
+    mappings: Vec<Mapping>,
+}
+
+impl StatisticsRing {
+    /// Notes that `frame` is stepped by the encoder at hand, and fetches a half that is full.
+    pub(super) fn stepped(
+        &mut self,
+        gpu: &GpuDevice,
+        memory: &Memory,
+        encoder: &mut wgpu::CommandEncoder,
+        frame: u32,
+    ) -> Result<(), BackendError> {
+        self.first.get_or_insert(frame);
+        self.end = frame + 1;
+        if self.end.is_multiple_of(HALF) {
+            self.fetch(gpu, memory, encoder)?;
+        }
+        Ok(())
+    }
+
+    fn fetch(
+        &mut self,
+        gpu: &GpuDevice,
+        memory: &Memory,
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> Result<(), BackendError> {
+        let Some(first) = self.first.take() else { return Ok(()) };
+        // Frames since the last fetch lie within one half, so they do not wrap.
+        let bytes = u64::from(self.end - first) * LINE;
+        let target = staging(gpu, bytes);
+        let from = u64::from(first % STATISTICS_LEN) * LINE;
+        encoder.copy_buffer_to_buffer(memory.named("statistics")?, from, &target, 0, bytes);
+        self.copied.push(target);
+        Ok(())
+    }
+
+    /// Notes that the encoder has been submitted.
+    pub(super) fn submitted(&mut self) {
+        self.mappings.extend(self.copied.drain(..).map(Mapping::begin));
+    }
+
+    /// All lines since the last call; waits for the device.
+    pub(super) fn take(
+        &mut self,
+        gpu: &GpuDevice,
+        memory: &Memory,
+    ) -> Result<Vec<FrameStats>, BackendError> {
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        self.fetch(gpu, memory, &mut encoder)?;
+        gpu.queue.submit([encoder.finish()]);
+        self.submitted();
+        gpu.wait()?;
+        let mut lines = Vec::new();
+        for mapping in self.mappings.drain(..) {
+            let words = mapping.words()?;
+            lines.extend(bytemuck::pod_collect_to_vec::<u32, FrameStats>(&words));
+        }
+        Ok(lines)
+    }
+}

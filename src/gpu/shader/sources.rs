@@ -1,0 +1,60 @@
+//! The page that lists every WGSL file: the libraries under `wgsl/lib/` and the kernels.
+//!
+//! A kernel is one file with one compute entry point; its name is its path under `wgsl/` without
+//! the ending, and its basename is that of its twin on the processor. A file in `wgsl/` that is
+//! not listed here fails a test.
+
+/// One WGSL file, embedded in the program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Source {
+    /// Path under `wgsl/` without its ending, e.g. `particles/advance` or `lib/exact`.
+    pub name: &'static str,
+    /// Path from the repository's root, as errors show it, e.g. `wgsl/particles/advance.wgsl`.
+    pub file: &'static str,
+    /// The file's text.
+    pub text: &'static str,
+}
+
+macro_rules! sources {
+    ($($name:literal),* $(,)?) => {
+        &[$(Source {
+            name: $name,
+            file: concat!("wgsl/", $name, ".wgsl"),
+            text: include_str!(concat!("../../../wgsl/", $name, ".wgsl")),
+        }),*]
+    };
+}
+
+/// Files that kernels import from; each stands after those that it imports itself.
+pub static LIBRARIES: &[Source] = sources![
+    "lib/layout",
+    "lib/dispatch",
+    "lib/exact",
+    "lib/transcendental",
+    "lib/rng",
+    "lib/light",
+    "lib/particle",
+];
+
+/// Kernels, in the order of the frame.
+pub static KERNELS: &[Source] = sources![
+    "systems/births",
+    "systems/offsets",
+    "particles/emit",
+    "particles/cull",
+    "scan/count_bits",
+    "scan/sum_runs",
+    "scan/survivors",
+    "scan/spread_runs",
+    "scan/spread_bits",
+    "scan/pages",
+    "particles/advance",
+    "draw/splat",
+    "draw/resolve",
+    "digest/digest",
+];
+
+/// The listed file of that name, kernel or library.
+pub fn find(name: &str) -> Option<&'static Source> {
+    KERNELS.iter().chain(LIBRARIES).find(|s| s.name == name)
+}

@@ -1,0 +1,151 @@
+//! A file that appears whole or not at all.
+//!
+//! Bytes go to a hidden file `.motes-…` in the same folder (so that renaming stays on one file system); [`AtomicFile::commit`]
+//! renames it to its place, and dropping it without that removes it. A killed process leaves at most the hidden file.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, BufWriter, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use super::OutputError;
+
+/// Bytes kept back before they are written to the file.
+const BUFFER_BYTES: usize = 1 << 16;
+
+/// A file being written. See the module's documentation.
+pub(super) struct AtomicFile {
+    /// None only while the value is being taken apart.
+    writer: Option<BufWriter<File>>,
+    /// As the user wrote it, for messages.
+    asked_path: PathBuf,
+    /// The hidden file and the place it goes to; None where the path is a device or a pipe, which is written directly.
+    renaming: Option<Renaming>,
+}
+
+struct Renaming {
+    temporary_path: PathBuf,
+    final_path: PathBuf,
+}
+
+impl AtomicFile {
+    /// Starts a file that shall stand at `path`; folders that are missing above it are created.
+    ///
+    /// A symbolic link is followed, and a device or pipe (`/dev/stdout`) is written as it is: renaming would replace it.
+    pub(super) fn create(path: &Path) -> Result<Self, OutputError> {
+        let asked_path = path.to_owned();
+        let final_path = match fs::metadata(path) {
+            Ok(metadata) if metadata.is_dir() => {
+                return Err(OutputError::io(
+                    path,
+                    "write",
+                    ErrorKind::IsADirectory.into(),
+                ));
+            }
+            Ok(metadata) if metadata.is_file() => {
+                fs::canonicalize(path).map_err(|error| OutputError::io(path, "write", error))?
+            }
+            Ok(_) => {
+                let device = OpenOptions::new()
+                    .write(true)
+                    .open(path)
+                    .map_err(|error| OutputError::io(path, "open", error))?;
+                return Ok(Self {
+                    writer: Some(BufWriter::with_capacity(BUFFER_BYTES, device)),
+                    asked_path,
+                    renaming: None,
+                });
+            }
+            // Not there yet, or out of reach: creating the hidden file will tell.
+            Err(_) => asked_path.clone(),
+        };
+        let folder = parent_folder(&final_path);
+        create_folder(folder)?;
+        let (temporary_path, file) = create_hidden(folder)
+            .map_err(|error| OutputError::io(path, "create a file here", error))?;
+        Ok(Self {
+            writer: Some(BufWriter::with_capacity(BUFFER_BYTES, file)),
+            asked_path,
+            renaming: Some(Renaming {
+                temporary_path,
+                final_path,
+            }),
+        })
+    }
+
+    /// The path as it was asked for, for messages.
+    pub(super) fn path(&self) -> &Path {
+        &self.asked_path
+    }
+
+    /// An error of writing this file, in the user's words.
+    pub(super) fn error(&self, error: io::Error) -> OutputError {
+        OutputError::io(&self.asked_path, "write", error)
+    }
+
+    /// Puts the finished file in its place, over an older one of that name.
+    pub(super) fn commit(mut self) -> Result<(), OutputError> {
+        let mut writer = self.writer.take().expect("taken only here and in drop");
+        writer.flush().map_err(|error| self.error(error))?;
+        // Closed before it is renamed: some systems do not rename an open file.
+        drop(writer);
+        if let Some(renaming) = &self.renaming {
+            fs::rename(&renaming.temporary_path, &renaming.final_path)
+                .map_err(|error| self.error(error))?;
+        }
+        // In place: there is nothing left for drop to remove.
+        self.renaming = None;
+        Ok(())
+    }
+}
+
+impl Write for AtomicFile {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match &mut self.writer {
+            Some(writer) => writer.write(bytes),
+            None => Err(ErrorKind::BrokenPipe.into()),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.writer.as_mut().map_or(Ok(()), Write::flush)
+    }
+}
+
+impl Drop for AtomicFile {
+    fn drop(&mut self) {
+        if let Some(writer) = self.writer.take() {
+            // What is still in the buffer is not wanted any more.
+            drop(writer.into_parts());
+        }
+        if let Some(renaming) = &self.renaming {
+            // Nothing better can be done about a hidden file that will not go.
+            let _ = fs::remove_file(&renaming.temporary_path);
+        }
+    }
+}
+
+/// Creates a folder with all that are missing above it; no error where it exists.
+pub(super) fn create_folder(folder: &Path) -> Result<(), OutputError> {
+    fs::create_dir_all(folder).map_err(|error| OutputError::io(folder, "create the folder", error))
+}
+
+fn parent_folder(path: &Path) -> &Path {
+    match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    }
+}
+
+fn create_hidden(folder: &Path) -> io::Result<(PathBuf, File)> {
+    static NEXT: AtomicU64 = AtomicU64::new(0);
+    loop {
+        let number = NEXT.fetch_add(1, Ordering::Relaxed);
+        let path = folder.join(format!(".motes-{}-{number}", std::process::id()));
+        match OpenOptions::new().write(true).create_new(true).open(&path) {
+            // Left by a killed process that had our number: take the next name.
+            Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+            result => return result.map(|file| (path, file)),
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! The statistics of a run: one row a population a frame, and one a drawn frame for its picture.
+
+use std::borrow::Cow;
+use std::io::Write;
+use std::path::Path;
+
+use super::OutputError;
+use super::atomic::AtomicFile;
+
+/// The first line of the file. Scripts depend on it.
+const HEADER: &str = "frame,population,kind,requested,born,died,live,dropped,digest";
+
+/// What happened to a population of particles in one frame.
+///
+/// `requested = born + dropped`, and `live` is that of the frame before, plus `born`, minus `died`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ParticleCounts {
+    /// Births that the scene asked for.
+    pub requested: u64,
+    /// Births that took place.
+    pub born: u64,
+    /// Deaths, by any cause.
+    pub died: u64,
+    /// Records that live after the frame's step.
+    pub live: u64,
+    /// Births that did not fit.
+    pub dropped: u64,
+}
+
+/// What a row is about, with the numbers that such a row has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Measured {
+    /// A population of particles (`particles`).
+    Particles(ParticleCounts),
+    /// A drawn frame (`image`); its counts stay empty, and its digest is that of its RGBA8 pixels.
+    Image,
+}
+
+/// One row of the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StatsRow<'a> {
+    /// Number of the frame, from 0.
+    pub frame: u32,
+    /// Name of the population; any text, quoted where CSV needs it.
+    pub population: &'a str,
+    /// Kind and counts.
+    pub measured: Measured,
+    /// Digest of the state or the picture (16 hexadecimal digits); None where none was asked for (empty).
+    pub digest: Option<u64>,
+}
+
+/// A statistics file being written; it appears when [`StatsWriter::finish`] is called, and not at all when dropped before.
+///
+/// Lines end with a line feed.
+pub struct StatsWriter {
+    file: AtomicFile,
+}
+
+impl StatsWriter {
+    /// Starts the file with its header; folders that are missing above it are created.
+    ///
+    /// # Errors
+    /// The user's fault: a path that cannot be a file. The machine's: it cannot be written.
+    pub fn create(path: &Path) -> Result<Self, OutputError> {
+        let mut writer = Self {
+            file: AtomicFile::create(path)?,
+        };
+        writer.line(HEADER)?;
+        Ok(writer)
+    }
+
+    /// Adds a row.
+    ///
+    /// # Errors
+    /// The machine's fault: it cannot be written.
+    pub fn row(&mut self, row: &StatsRow<'_>) -> Result<(), OutputError> {
+        let StatsRow {
+            frame,
+            population,
+            measured,
+            digest,
+        } = *row;
+        let population = quoted(population);
+        let measured = match measured {
+            Measured::Particles(counts) => {
+                let ParticleCounts {
+                    requested,
+                    born,
+                    died,
+                    live,
+                    dropped,
+                } = counts;
+                format!("particles,{requested},{born},{died},{live},{dropped}")
+            }
+            Measured::Image => "image,,,,,".to_owned(),
+        };
+        let digest = digest.map_or(String::new(), |digest| format!("{digest:016x}"));
+        self.line(&format!("{frame},{population},{measured},{digest}"))
+    }
+
+    /// Puts the file in its place.
+    ///
+    /// # Errors
+    /// The machine's fault: it cannot be written or renamed.
+    pub fn finish(self) -> Result<(), OutputError> {
+        self.file.commit()
+    }
+
+    fn line(&mut self, line: &str) -> Result<(), OutputError> {
+        writeln!(self.file, "{line}").map_err(|error| self.file.error(error))
+    }
+}
+
+/// A field as RFC 4180 has it: quoted where it holds a comma, a quote or a line break, quotes doubled.
+fn quoted(field: &str) -> Cow<'_, str> {
+    if field.contains([',', '"', '\n', '\r']) {
+        Cow::Owned(format!("\"{}\"", field.replace('"', "\"\"")))
+    } else {
+        Cow::Borrowed(field)
+    }
+}

@@ -1,0 +1,113 @@
+//! The named buffers of a frame: what WGSL binds by name and Rust declares, once.
+
+use super::Plan;
+use crate::layout::{Counts, Dispatch, Frame, FrameStats, Particle, SystemFrame, SystemRow};
+
+/// What a buffer is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BufferRole {
+    /// Uploaded by the processor each frame.
+    Input,
+    /// The same on every backend over its live records: compared bit for bit.
+    State,
+    /// A backend's own.
+    Scratch,
+}
+
+/// How many records a buffer holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Count {
+    /// A fixed number.
+    Fixed(u32),
+    /// So many for each system, and so many more.
+    Systems {
+        /// Records a system.
+        each: u32,
+        /// Records besides.
+        extra: u32,
+    },
+    /// A ring of parameter rows for each system.
+    Rows,
+    /// One for every so many particles of the capacity; the last may stand for fewer.
+    ParticlesOver(u32),
+    /// So many a pixel.
+    Pixels(u32),
+    /// A list of the backend's pages.
+    Backend,
+}
+
+/// A declared buffer.
+#[derive(Clone, Copy, Debug)]
+pub struct Buffer {
+    /// The name that WGSL binds it by.
+    pub name: &'static str,
+    /// What it is for.
+    pub role: BufferRole,
+    /// Name of the record's type in WGSL.
+    pub record: &'static str,
+    /// Bytes a record.
+    pub stride: u32,
+    /// How many records.
+    pub count: Count,
+}
+
+const fn buffer_of(
+    name: &'static str,
+    role: BufferRole,
+    record: &'static str,
+    stride: usize,
+    count: Count,
+) -> Buffer {
+    Buffer { name, role, record, stride: stride as u32, count }
+}
+
+/// Every buffer. `particles` and `survivors` are the two pools, in pages; they change places after
+/// each advance.
+pub static BUFFERS: &[Buffer] = {
+    use BufferRole::{Input, Scratch, State};
+    &[
+        buffer_of("frame", Input, "Frame", size_of::<Frame>(), Count::Fixed(1)),
+        buffer_of(
+            "system_frames",
+            Input,
+            "SystemFrame",
+            size_of::<SystemFrame>(),
+            Count::Systems { each: 1, extra: 0 },
+        ),
+        buffer_of("rows", Input, "SystemRow", size_of::<SystemRow>(), Count::Rows),
+        buffer_of("birth_counts", State, "u32", 4, Count::Systems { each: 1, extra: 0 }),
+        buffer_of("birth_offsets", State, "u32", 4, Count::Systems { each: 1, extra: 1 }),
+        buffer_of("counts", State, "Counts", size_of::<Counts>(), Count::Fixed(1)),
+        buffer_of("particles", State, "Particle", size_of::<Particle>(), Count::ParticlesOver(1)),
+        buffer_of("survivors", Scratch, "Particle", size_of::<Particle>(), Count::ParticlesOver(1)),
+        buffer_of("alive_bits", State, "u32", 4, Count::ParticlesOver(32)),
+        buffer_of("sums_1", Scratch, "u32", 4, Count::ParticlesOver(2048)),
+        buffer_of("sums_2", Scratch, "u32", 4, Count::ParticlesOver(131_072)),
+        buffer_of("word_offsets", Scratch, "u32", 4, Count::ParticlesOver(32)),
+        buffer_of("dispatches", Scratch, "Dispatch", size_of::<Dispatch>(), Count::Backend),
+        buffer_of("statistics", Scratch, "FrameStats", size_of::<FrameStats>(), Count::Fixed(256)),
+        buffer_of("light_low", State, "u32", 4, Count::Pixels(3)),
+        buffer_of("light_high", State, "u32", 4, Count::Pixels(3)),
+        buffer_of("image", State, "u32", 4, Count::Pixels(1)),
+        buffer_of("digest", Scratch, "u32", 4, Count::Fixed(4)),
+    ]
+};
+
+/// The declared buffer of that name, if there is one.
+pub fn buffer(name: &str) -> Option<&'static Buffer> {
+    BUFFERS.iter().find(|buffer| buffer.name == name)
+}
+
+impl Buffer {
+    /// Records under `plan`; `None` where it is the backend's to say.
+    pub fn records(&self, plan: &Plan) -> Option<u32> {
+        Some(match self.count {
+            Count::Fixed(count) => count,
+            Count::Systems { each, extra } => plan.system_count * each + extra,
+            Count::Rows => plan.system_count * plan.row_count,
+            Count::ParticlesOver(each) => plan.capacity.div_ceil(each),
+            Count::Pixels(each) => plan.width * plan.height * each,
+            Count::Backend => return None,
+        })
+    }
+}

@@ -1,0 +1,89 @@
+//! The frame, stage by stage. Reading the table is reading the frame.
+
+/// A stage of a frame. Backends expand each into their own passes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Stage {
+    /// How many particles each system bears, and where they go.
+    Births,
+    /// Attributes of the newborn.
+    Emit,
+    /// Who dies.
+    Cull,
+    /// Survivors move, and take their compacted places.
+    Advance,
+    /// Particles add their light.
+    Splat,
+    /// Light becomes pixels.
+    Resolve,
+}
+
+/// A line of [`STAGES`].
+#[derive(Clone, Copy, Debug)]
+pub struct StageInfo {
+    /// Which stage.
+    pub stage: Stage,
+    /// Its basename, the same in `wgsl/` and `src/cpu/`.
+    pub name: &'static str,
+    /// Buffers that it reads, by name.
+    pub reads: &'static [&'static str],
+    /// Buffers that it leaves changed, by name; the state among them is what backends are compared by.
+    pub writes: &'static [&'static str],
+    /// Whether it belongs to drawing, not to the simulation.
+    pub draws: bool,
+}
+
+/// Every stage in frame order (Reeves 1983, section 2: generate, assign, extinguish, move, render).
+pub static STAGES: &[StageInfo] = &[
+    StageInfo {
+        stage: Stage::Births,
+        name: "births",
+        reads: &["frame", "system_frames", "counts"],
+        writes: &["birth_counts", "birth_offsets", "counts"],
+        draws: false,
+    },
+    StageInfo {
+        stage: Stage::Emit,
+        name: "emit",
+        reads: &["frame", "system_frames", "rows", "birth_offsets", "counts"],
+        writes: &["particles"],
+        draws: false,
+    },
+    StageInfo {
+        stage: Stage::Cull,
+        name: "cull",
+        reads: &["frame", "system_frames", "rows", "counts", "particles"],
+        writes: &["alive_bits"],
+        draws: false,
+    },
+    StageInfo {
+        stage: Stage::Advance,
+        name: "advance",
+        reads: &["frame", "system_frames", "alive_bits", "particles"],
+        writes: &["particles", "counts", "statistics"],
+        draws: false,
+    },
+    StageInfo {
+        stage: Stage::Splat,
+        name: "splat",
+        reads: &["frame", "system_frames", "rows", "counts", "particles"],
+        writes: &["light_low", "light_high"],
+        draws: true,
+    },
+    StageInfo {
+        stage: Stage::Resolve,
+        name: "resolve",
+        reads: &["frame", "light_low", "light_high"],
+        writes: &["image"],
+        draws: true,
+    },
+];
+
+impl Stage {
+    /// The stage's line in [`STAGES`].
+    pub fn info(self) -> &'static StageInfo {
+        STAGES
+            .iter()
+            .find(|info| info.stage == self)
+            .expect("the table has a line for every stage")
+    }
+}

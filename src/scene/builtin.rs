@@ -1,0 +1,135 @@
+//! The scenes that the program carries, and loading a scene by name or by path.
+
+use std::fs::File;
+use std::io::Read as _;
+use std::path::Path;
+
+use super::error::{nearest, shortened};
+use super::parse::parse_with;
+use super::{Scene, SceneError};
+
+/// A scene that is part of the program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BuiltinScene {
+    /// What the user calls it; the stem of its file in `scenes/`.
+    pub name: &'static str,
+    /// Its TOML.
+    pub text: &'static str,
+}
+
+macro_rules! builtin {
+    ($($name:literal),* $(,)?) => {
+        &[$(BuiltinScene {
+            name: $name,
+            text: include_str!(concat!("../../scenes/", $name, ".toml")),
+        }),*]
+    };
+}
+
+/// Every built-in scene, by name.
+pub const BUILTIN: &[BuiltinScene] = builtin!["fireworks", "fountain", "million"];
+
+/// Bytes of a scene file at most.
+const MAX_BYTES: u64 = 1 << 20;
+
+/// Loads a scene: a file if `name_or_path` ends in `.toml` or has a slash in it, else a built-in
+/// scene. The scene's name is the built-in name or the file's stem.
+///
+/// # Errors
+/// If there is no such scene or file, the file cannot be read, is larger than 1 MiB or is not
+/// UTF-8, and as [`parse`](super::parse()).
+pub fn load(name_or_path: &str) -> Result<Scene, SceneError> {
+    load_with(name_or_path, &[])
+}
+
+/// [`load`], with values changed before they are checked.
+///
+/// Each of `sets` is `path.to.key=value`. The path's parts are keys, indices of arrays from 0, or
+/// names of systems: `image.width`, `system.0.speed.mean`, `system.jet.color.rate.2`. The value
+/// is TOML, or else a text that begins with a letter: `title=Fire`. It replaces whatever was
+/// there; later sets see what earlier ones did.
+///
+/// # Errors
+/// As [`load`]; and if a set has no `=`, no value, or a path that leads nowhere. An error that
+/// comes from a set shows that set in place of a line of the file.
+pub fn load_with(name_or_path: &str, sets: &[String]) -> Result<Scene, SceneError> {
+    if is_path(name_or_path) {
+        let text = read(name_or_path)?;
+        return parse_with(&text, name_or_path, &scene_name(name_or_path), sets);
+    }
+    let Some(scene) = BUILTIN.iter().find(|scene| scene.name == name_or_path) else {
+        return Err(unknown(name_or_path));
+    };
+    let file = format!("scenes/{}.toml", scene.name);
+    parse_with(scene.text, &file, scene.name, sets)
+}
+
+fn is_path(name_or_path: &str) -> bool {
+    let is_toml = Path::new(name_or_path)
+        .extension()
+        .is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+    is_toml || name_or_path.contains(['/', std::path::MAIN_SEPARATOR])
+}
+
+fn unknown(name: &str) -> SceneError {
+    let names = || BUILTIN.iter().map(|scene| scene.name);
+    let close = nearest(name, names());
+    let help = if close.is_empty() {
+        format!("built in are {}.", names().collect::<Vec<_>>().join(", "))
+    } else {
+        format!("did you mean {}?", close.join(" or "))
+    };
+    let help = format!("{help} A file is a path that ends in .toml, such as ./my.toml");
+    SceneError::general(
+        format!("there is no scene `{}`", shortened(name)),
+        None,
+        help,
+    )
+}
+
+fn read(path: &str) -> Result<String, SceneError> {
+    let refuse = |what: String, help: &str| SceneError::general(what, Some(path), help);
+    let cannot = |error: std::io::Error| {
+        let help = "a path to a scene's TOML file; `motes scenes` lists the built-in scenes";
+        refuse(format!("the scene file cannot be read: {error}"), help)
+    };
+    let file = File::open(path).map_err(cannot)?;
+    let mut bytes = Vec::new();
+    // One byte more than allowed is enough to know, whatever the file's size claims to be.
+    let mut limited = file.take(MAX_BYTES + 1);
+    limited.read_to_end(&mut bytes).map_err(cannot)?;
+    if bytes.len() as u64 > MAX_BYTES {
+        let what = "the scene file is larger than 1 MiB".to_owned();
+        return Err(refuse(
+            what,
+            "a scene's TOML file, which is a few kilobytes",
+        ));
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let end = error.utf8_error().valid_up_to();
+        let text = String::from_utf8_lossy(error.as_bytes());
+        let what = format!("the scene file is not UTF-8 from byte {end} on");
+        // Everything before the first bad byte is itself in the lossy text, byte for byte.
+        SceneError::located(
+            what,
+            (path, &text, true),
+            end..end + 1,
+            "save the file as UTF-8",
+        )
+    })
+}
+
+/// The file's stem, fit to be a part of output paths.
+fn scene_name(path: &str) -> String {
+    let stem = Path::new(path)
+        .file_stem()
+        .map(|stem| stem.to_string_lossy());
+    let stem = stem.unwrap_or_default();
+    let plain = |c: char| if c.is_control() { '-' } else { c };
+    let name: String = stem.trim_start_matches('.').chars().map(plain).collect();
+    if name.is_empty() {
+        "scene".to_owned()
+    } else {
+        name
+    }
+}

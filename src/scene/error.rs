@@ -1,0 +1,230 @@
+//! [`SceneError`]: what is wrong, where, and what would be right, in a few plain lines.
+
+use std::fmt::{self, Write as _};
+use std::ops::Range;
+
+/// Characters of an offending line that are shown at most.
+const SNIPPET_CHARS: usize = 100;
+
+/// Characters kept before the offending place when a line is too long to be shown whole.
+const SNIPPET_LEAD: usize = 30;
+
+/// Why a scene was refused.
+///
+/// [`Display`](fmt::Display) prints what, where, the offending line with carets under it, and
+/// what would be right; it ends without a newline and holds no control characters but newlines.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SceneError(Box<Parts>);
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Parts {
+    what: String,
+    file: Option<String>,
+    place: Option<Place>,
+    help: String,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Place {
+    line: usize,
+    column: usize,
+    snippet: String,
+    indent: usize,
+    carets: usize,
+    numbered: bool,
+}
+
+impl SceneError {
+    /// An error about a whole file, or about no file at all.
+    pub(super) fn general(
+        what: impl Into<String>,
+        file: Option<&str>,
+        help: impl Into<String>,
+    ) -> Self {
+        Self(Box::new(Parts {
+            what: printable(&what.into()),
+            file: file.map(printable),
+            place: None,
+            help: printable(&help.into()),
+        }))
+    }
+
+    /// An error at `span`, bytes of `text`, which came from `file`. Lines are `numbered` in the
+    /// printed form if `text` is a file's.
+    pub(super) fn located(
+        what: impl Into<String>,
+        (file, text, numbered): (&str, &str, bool),
+        span: Range<usize>,
+        help: impl Into<String>,
+    ) -> Self {
+        let mut error = Self::general(what, Some(file), help);
+        error.0.place = Some(Place::new(text, span, numbered));
+        error
+    }
+
+    /// What is wrong, one line, naming the key if there is one.
+    #[must_use]
+    pub fn message(&self) -> &str {
+        &self.0.what
+    }
+
+    /// What would be right.
+    #[must_use]
+    pub fn help(&self) -> &str {
+        &self.0.help
+    }
+
+    /// The file as it was given to [`parse`](super::parse()) or [`load`](super::load), or
+    /// `command line`; `None` if the error is about no file.
+    #[must_use]
+    pub fn file(&self) -> Option<&str> {
+        self.0.file.as_deref()
+    }
+
+    /// Line of the offending text, from 1; `None` if the error is about no place in it.
+    #[must_use]
+    pub fn line(&self) -> Option<usize> {
+        self.0.place.as_ref().map(|place| place.line)
+    }
+
+    /// Column of the offending text in characters, from 1; `None` if it is about no place in it.
+    #[must_use]
+    pub fn column(&self) -> Option<usize> {
+        self.0.place.as_ref().map(|place| place.column)
+    }
+}
+
+impl std::error::Error for SceneError {}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Parts {
+            what,
+            file,
+            place,
+            help,
+        } = &*self.0;
+        write!(out, "error: {what}")?;
+        let gutter = place.as_ref().map_or(2, Place::gutter);
+        if let Some(file) = file {
+            write!(out, "\n{:gutter$}--> {file}", "")?;
+        }
+        if let Some(place) = place {
+            let (number, location) = if place.numbered {
+                let Place { line, column, .. } = place;
+                (line.to_string(), format!(":{line}:{column}"))
+            } else {
+                (String::new(), String::new())
+            };
+            let (indent, carets) = (place.indent, place.carets);
+            write!(out, "{location}\n{:gutter$} |", "")?;
+            write!(out, "\n{number:>gutter$} | {}", place.snippet)?;
+            write!(out, "\n{:gutter$} | {:indent$}{:^<carets$}", "", "", "")?;
+        }
+        if !help.is_empty() {
+            write!(out, "\n{:gutter$} = help: {help}", "")?;
+        }
+        Ok(())
+    }
+}
+
+impl Place {
+    fn new(text: &str, span: Range<usize>, numbered: bool) -> Self {
+        let start = floor_char_boundary(text, span.start);
+        let line_start = text[..start].rfind('\n').map_or(0, |newline| newline + 1);
+        let line_end = text[start..]
+            .find('\n')
+            .map_or(text.len(), |newline| start + newline);
+        let line = text[line_start..line_end].trim_end_matches('\r');
+        let end = floor_char_boundary(text, span.end.min(line_start + line.len())).max(start);
+
+        let before = text[line_start..start].chars().count();
+        let marked = text[start..end].chars().count().max(1);
+        let length = line.chars().count();
+        let skipped = if length <= SNIPPET_CHARS {
+            0
+        } else {
+            before.saturating_sub(SNIPPET_LEAD)
+        };
+        let mut snippet = String::new();
+        if skipped > 0 {
+            snippet.push('…');
+        }
+        let indent = before - skipped + snippet.chars().count();
+        let shown = SNIPPET_CHARS.min(length - skipped);
+        snippet.extend(line.chars().skip(skipped).take(shown).map(plain));
+        let carets = marked.min((shown + 1).saturating_sub(before - skipped).max(1));
+        if skipped + shown < length {
+            snippet.push('…');
+        }
+        Self {
+            line: text[..line_start].matches('\n').count() + 1,
+            column: before + 1,
+            snippet,
+            indent,
+            carets,
+            numbered,
+        }
+    }
+
+    fn gutter(&self) -> usize {
+        if self.numbered {
+            self.line.to_string().len().max(2)
+        } else {
+            2
+        }
+    }
+}
+
+/// Names close enough to `given` to be what was meant, nearest first.
+pub(super) fn nearest<'a>(given: &str, names: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
+    let given: String = given.chars().take(64).collect();
+    let mut close: Vec<(usize, &str)> = names
+        .into_iter()
+        .map(|name| (strsim::osa_distance(&given.to_lowercase(), name), name))
+        .filter(|&(distance, name)| distance <= 1 + name.chars().count() / 4)
+        .collect();
+    close.sort_unstable();
+    close.into_iter().map(|(_, name)| name).collect()
+}
+
+/// "did you mean `x`? " or nothing.
+pub(super) fn did_you_mean<'a>(given: &str, names: impl IntoIterator<Item = &'a str>) -> String {
+    let mut sentence = String::new();
+    if let Some(name) = nearest(given, names).first() {
+        let _ = write!(sentence, "did you mean `{name}`? ");
+    }
+    sentence
+}
+
+/// A name that the user gave, not too long to stand in a message.
+pub(super) fn shortened(name: &str) -> String {
+    let mut short: String = name.chars().take(64).collect();
+    if short.len() < name.len() {
+        short.push('…');
+    }
+    short
+}
+
+/// The text with nothing in it that would move a terminal's cursor or change its state.
+fn printable(text: &str) -> String {
+    text.chars().map(plain).collect()
+}
+
+fn plain(letter: char) -> char {
+    match letter {
+        '\t' | '\n' | '\r' => ' ',
+        // Bidirectional controls would show a line other than what is in the file.
+        '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => '\u{fffd}',
+        _ if letter.is_control() => '\u{fffd}',
+        _ => letter,
+    }
+}
+
+fn floor_char_boundary(text: &str, index: usize) -> usize {
+    let index = index.min(text.len());
+    (0..=index)
+        .rev()
+        .find(|&i| text.is_char_boundary(i))
+        .unwrap_or(0)
+}

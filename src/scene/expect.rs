@@ -1,0 +1,124 @@
+//! What would be right for a key, in words, from its row in the [`schema`](super::schema).
+
+use super::schema::{Field, Kind, Limits};
+
+/// The key with a value that is right: `near = 0.1`.
+pub(super) fn example(field: &Field) -> String {
+    match field.kind {
+        Kind::Tables { .. } => format!("`[[{}]]`", field.key),
+        _ => format!("`{} = {}`", field.key, field.sample()),
+    }
+}
+
+/// What the key is and what its value may be: "`near` (nothing nearer is drawn) is a number from
+/// 0.000001 to 1_000_000, world units".
+pub(super) fn expected(field: &Field) -> String {
+    let Field {
+        key,
+        kind,
+        unit,
+        about,
+        ..
+    } = field;
+    let unit = match *unit {
+        "" => String::new(),
+        unit => format!(", {unit}"),
+    };
+    format!("`{key}` ({about}) is {}{unit}", kind_in_words(kind))
+}
+
+fn kind_in_words(kind: &Kind) -> String {
+    match *kind {
+        Kind::Text { max_chars, lines } => {
+            let lines = if lines { "" } else { " in one line" };
+            format!(
+                "text in quotes of at most {} characters{lines}",
+                digits(max_chars as f64)
+            )
+        }
+        Kind::Name => "text in quotes: a letter or _, then letters, digits, - and _, at most 64 \
+                       characters"
+            .to_owned(),
+        Kind::Whole { min, max } => format!("a whole number {}", range(min as f64, max as f64)),
+        Kind::Numbers { count, limits } => numbers(count, limits),
+        Kind::Randomised {
+            count,
+            mean,
+            var,
+            rate,
+        } => {
+            let mean = numbers(count, mean);
+            let var = range(var.min, var.max);
+            let (key, rate) = match rate {
+                Some(rate) => (", rate", format!(", rate {}", range(rate.min, rate.max))),
+                None => ("", String::new()),
+            };
+            format!("{{ mean, var{key} }}, mean {mean}, var {var}{rate}; or the mean alone")
+        }
+        Kind::Choice(words) => format!("one of {}", quoted(words.iter().copied())),
+        Kind::Table(fields) => format!("a table with the keys {}", keys(fields)),
+        Kind::Tables { fields, max } => {
+            format!(
+                "1 to {} tables with the keys {}",
+                digits(max as f64),
+                keys(fields)
+            )
+        }
+        Kind::Variants(variants) => {
+            let shapes = variants.iter().map(|variant| {
+                format!(
+                    "{{ kind = \"{}\", {} }}",
+                    variant.name,
+                    keys(variant.fields)
+                )
+            });
+            format!("one of {}", shapes.collect::<Vec<_>>().join(", "))
+        }
+    }
+}
+
+fn numbers(count: usize, limits: Limits) -> String {
+    let range = range(limits.min, limits.max);
+    match count {
+        1 => format!("a number {range}"),
+        _ => format!("an array of {count} numbers, each {range}"),
+    }
+}
+
+fn range(min: f64, max: f64) -> String {
+    format!("from {} to {}", digits(min), digits(max))
+}
+
+fn keys(fields: &[Field]) -> String {
+    let keys: Vec<_> = fields.iter().map(|field| field.key).collect();
+    keys.join(", ")
+}
+
+fn quoted<'a>(words: impl Iterator<Item = &'a str>) -> String {
+    let words: Vec<_> = words.map(|word| format!("\"{word}\"")).collect();
+    words.join(", ")
+}
+
+/// A number as TOML has it, with `_` between thousands.
+fn digits(number: f64) -> String {
+    if number == i64::MAX as f64 {
+        return i64::MAX.to_string();
+    }
+    let plain = number.to_string();
+    let (sign, unsigned) = match plain.strip_prefix('-') {
+        Some(unsigned) => ("-", unsigned),
+        None => ("", plain.as_str()),
+    };
+    let (whole, fraction) = match unsigned.split_once('.') {
+        Some((whole, fraction)) => (whole, format!(".{fraction}")),
+        None => (unsigned, String::new()),
+    };
+    let mut grouped = String::new();
+    for (i, digit) in whole.chars().enumerate() {
+        if i > 0 && whole.len() >= 5 && (whole.len() - i).is_multiple_of(3) {
+            grouped.push('_');
+        }
+        grouped.push(digit);
+    }
+    format!("{sign}{grouped}{fraction}")
+}

@@ -1,0 +1,183 @@
+//! Reading one table of a scene file by its rows in the [`schema`](super::schema).
+//!
+//! A [`Reader`] refuses unknown keys when it opens a table; its `must` and `may` hand a key's
+//! value, or its default, to one of the functions in [`values`](super::values).
+
+use std::borrow::Cow;
+use std::rc::Rc;
+
+use super::SceneError;
+use super::error::{did_you_mean, shortened};
+use super::expect::{example, expected};
+use super::schema::{Field, Limits, Presence};
+use super::tree::{self, At, Entry, Node, Source, Value};
+
+/// A table whose keys are all known.
+pub(super) struct Reader<'a> {
+    path: String,
+    fields: Cow<'a, [Field]>,
+    node: &'a Node,
+}
+
+/// A value with its row in the schema and its path, such as `camera.position`.
+pub(super) struct Spot<'a> {
+    pub(super) path: String,
+    pub(super) field: Field,
+    pub(super) node: &'a Node,
+}
+
+impl<'a> Reader<'a> {
+    /// Opens the table `node`, called `path` (empty for the whole file).
+    pub(super) fn new(
+        path: String,
+        fields: impl Into<Cow<'a, [Field]>>,
+        node: &'a Node,
+    ) -> Result<Self, SceneError> {
+        let fields = fields.into();
+        let keys = || fields.iter().map(|field| field.key);
+        let known = keys().collect::<Vec<_>>().join(", ");
+        let place = match path.as_str() {
+            "" => "at the top of a scene".to_owned(),
+            path => format!("in `{path}`"),
+        };
+        let Value::Table(entries) = &node.value else {
+            let what = format!("`{path}` must be a table, found {}", node.describe());
+            return Err(node
+                .at
+                .error(what, format!("a table with the keys {known}")));
+        };
+        if let Some(Entry { key, at, .. }) = entries.iter().find(|e| !keys().any(|k| k == e.key)) {
+            let guess = did_you_mean(key, keys());
+            let help = format!("{guess}The keys here are {known}");
+            let key = shortened(key);
+            return Err(at.error(format!("there is no key `{key}` {place}"), help));
+        }
+        Ok(Self { path, fields, node })
+    }
+
+    /// Reads a key that has a value even if it is not written.
+    pub(super) fn must<T>(
+        &self,
+        key: &str,
+        read: impl FnOnce(&Spot<'_>) -> Result<T, SceneError>,
+    ) -> Result<T, SceneError> {
+        match self.may(key, read)? {
+            Some(value) => Ok(value),
+            None => Err(self.missing(key)),
+        }
+    }
+
+    /// Reads a key; `None` if it is not written and has no default.
+    pub(super) fn may<T>(
+        &self,
+        key: &str,
+        read: impl FnOnce(&Spot<'_>) -> Result<T, SceneError>,
+    ) -> Result<Option<T>, SceneError> {
+        let field = *self.field(key);
+        let path = self.path_of(key);
+        if let Some(Entry { node, .. }) = self.node.entry(key) {
+            return read(&Spot { path, field, node }).map(Some);
+        }
+        let Presence::Default(text) = field.presence else {
+            return match field.presence {
+                Presence::Required(_) => Err(self.missing(key)),
+                _ => Ok(None),
+            };
+        };
+        let file = format!("the default of `{path}`");
+        let source = Source {
+            file,
+            text: text.to_owned(),
+            numbered: false,
+        };
+        let mut node = tree::value(&Rc::new(source), 0..text.len())?;
+        if let Value::Table(_) = node.value {
+            // Whatever is missing in a table that is not written is missing from this one.
+            node.at = self.node.at.clone();
+        }
+        let node = &node;
+        read(&Spot { path, field, node }).map(Some)
+    }
+
+    /// Whether the key is written.
+    pub(super) fn has(&self, key: &str) -> bool {
+        self.node.entry(key).is_some()
+    }
+
+    /// Where the key's value stands, or the table if it is not written.
+    pub(super) fn at(&self, key: &str) -> &At {
+        let entry = self.node.entry(key);
+        entry.map_or(&self.node.at, |entry| &entry.node.at)
+    }
+
+    /// The key with the table's path before it.
+    pub(super) fn path_of(&self, key: &str) -> String {
+        match self.path.as_str() {
+            "" => key.to_owned(),
+            path => format!("{path}.{key}"),
+        }
+    }
+
+    /// The table's own path; empty for the whole file.
+    pub(super) fn path(&self) -> &str {
+        &self.path
+    }
+
+    /// The error of a key that is not written.
+    pub(super) fn missing(&self, key: &str) -> SceneError {
+        let field = self.field(key);
+        let what = format!("`{}` is missing", self.path_of(field.key));
+        let help = format!("add {}: {}", example(field), expected(field));
+        self.node.at.error(what, help)
+    }
+
+    fn field(&self, key: &str) -> &Field {
+        let found = self.fields.iter().find(|field| field.key == key);
+        found.expect("keys are asked for by the names in the schema")
+    }
+}
+
+impl Spot<'_> {
+    /// The error of a value of another kind than the schema says.
+    pub(super) fn wrong_kind(&self) -> SceneError {
+        self.wrong_kind_of(self.node, &self.path)
+    }
+
+    fn wrong_kind_of(&self, node: &Node, path: &str) -> SceneError {
+        let what = format!("`{path}` cannot be {}", node.describe());
+        let help = format!("{}, as in {}", expected(&self.field), example(&self.field));
+        node.at.error(what, help)
+    }
+
+    /// The error of a value of the right kind that is none the less not right.
+    pub(super) fn refuse(&self, node: &Node, path: &str, why: &str) -> SceneError {
+        let what = format!("`{path}` {why}");
+        node.at.error(what, expected(&self.field))
+    }
+
+    /// A number and its place: this value, or the item `index` of it.
+    pub(super) fn one(
+        &self,
+        node: &Node,
+        index: Option<usize>,
+        limits: Limits,
+    ) -> Result<f32, SceneError> {
+        let path = match index {
+            Some(index) => format!("{}.{index}", self.path),
+            None => self.path.clone(),
+        };
+        let value = match node.value {
+            Value::Whole(whole) => whole as f64,
+            Value::Number(number) => number,
+            _ => return Err(self.wrong_kind_of(node, &path)),
+        };
+        if !value.is_finite() {
+            return Err(self.refuse(node, &path, &format!("is {value}, not a finite number")));
+        }
+        if value < limits.min || value > limits.max {
+            let why = format!("is out of range: {}", tree::plain(value));
+            return Err(self.refuse(node, &path, &why));
+        }
+        Ok(value as f32)
+    }
+}

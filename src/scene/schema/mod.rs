@@ -1,0 +1,147 @@
+//! Every key of a scene file, once: kind, range, unit, default and what it means.
+//!
+//! The reader takes its rules from these tables, so what they say is what is enforced. A key is
+//! written `--set`-style: `image.width`, `system.0.speed.mean`.
+
+mod keys;
+
+pub use keys::{CAMERA, GENERATION_SHAPES, IMAGE, SCENE, SYSTEM};
+
+/// One key of a table.
+#[derive(Clone, Copy, Debug)]
+pub struct Field {
+    /// As written in the file.
+    pub key: &'static str,
+    /// What its value must be.
+    pub kind: Kind,
+    /// Whether it must be written, and what holds if it is not.
+    pub presence: Presence,
+    /// Unit of its numbers; empty if they have none.
+    pub unit: &'static str,
+    /// What it does, as a clause without a full stop.
+    pub about: &'static str,
+}
+
+/// Whether a key must be written. Each variant holds a value in TOML syntax.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Presence {
+    /// It must; an example.
+    Required(&'static str),
+    /// It need not, and then nothing holds in its place; an example.
+    Optional(&'static str),
+    /// It need not, and then this value holds.
+    Default(&'static str),
+}
+
+/// An interval that holds both of its ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// The least value.
+    pub min: f64,
+    /// The greatest value.
+    pub max: f64,
+}
+
+/// What a value must be.
+#[derive(Clone, Copy, Debug)]
+pub enum Kind {
+    /// Text of at most `max_chars` characters; `lines` says whether it may have more than one.
+    Text {
+        /// Most characters.
+        max_chars: usize,
+        /// Whether line breaks are allowed.
+        lines: bool,
+    },
+    /// Text that can stand in a path and in a file name: a letter or `_`, then letters, digits,
+    /// `-` and `_`, at most 64 characters.
+    Name,
+    /// A whole number.
+    Whole {
+        /// The least value.
+        min: i64,
+        /// The greatest value.
+        max: i64,
+    },
+    /// A finite number if `count` is 1, else an array of that many.
+    Numbers {
+        /// How many.
+        count: usize,
+        /// What each may be.
+        limits: Limits,
+    },
+    /// A table of `mean`, `var` (a half-width, by default 0) and, if `rate` is some, `rate` (by
+    /// default 0); or the mean alone. Each is a number if `count` is 1, else an array.
+    Randomised {
+        /// How many numbers each of mean, var and rate is.
+        count: usize,
+        /// What a mean may be.
+        mean: Limits,
+        /// What a half-width may be.
+        var: Limits,
+        /// What a change a frame may be.
+        rate: Option<Limits>,
+    },
+    /// One of these words.
+    Choice(&'static [&'static str]),
+    /// A table with these keys.
+    Table(&'static [Field]),
+    /// An array of such tables, 1 ..= `max` of them.
+    Tables {
+        /// Keys of each.
+        fields: &'static [Field],
+        /// Most tables.
+        max: usize,
+    },
+    /// A table whose key `kind` says which keys it has besides.
+    Variants(&'static [Variant]),
+}
+
+/// One choice of a [`Kind::Variants`].
+#[derive(Clone, Copy, Debug)]
+pub struct Variant {
+    /// The word that `kind` has.
+    pub name: &'static str,
+    /// The other keys of the table.
+    pub fields: &'static [Field],
+}
+
+impl Field {
+    /// A value in TOML syntax that is right for this key: its default or an example.
+    #[must_use]
+    pub fn sample(&self) -> &'static str {
+        match self.presence {
+            Presence::Required(toml) | Presence::Optional(toml) | Presence::Default(toml) => toml,
+        }
+    }
+
+    /// The keys of a [`Kind::Randomised`]'s table: mean, var and perhaps rate. Else empty.
+    #[must_use]
+    pub fn randomised_fields(&self) -> Vec<Field> {
+        let Kind::Randomised {
+            count,
+            mean,
+            var,
+            rate,
+        } = self.kind
+        else {
+            return Vec::new();
+        };
+        let zero = ["0", "[0, 0]", "[0, 0, 0]"][count.clamp(1, 3) - 1];
+        let example = ["1", "[1, 1]", "[1, 1, 1]"][count.clamp(1, 3) - 1];
+        let field = |key, limits, presence, about| Field {
+            key,
+            kind: Kind::Numbers { count, limits },
+            presence,
+            unit: self.unit,
+            about,
+        };
+        let required = Presence::Required(example);
+        let default = Presence::Default(zero);
+        let mut fields = vec![
+            field("mean", mean, required, "the middle of the range"),
+            field("var", var, default, "half the width of the range"),
+        ];
+        fields.extend(rate.map(|rate| field("rate", rate, default, "what each frame adds")));
+        fields
+    }
+}

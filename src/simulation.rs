@@ -1,0 +1,321 @@
+//! The library's front door: a scene under way on an adapter.
+
+use crate::backend::{Backend, BackendError};
+use crate::cpu::CpuBackend;
+use crate::cpu::draw::splat::world_of;
+use crate::cpu::particle::{draw, identity_of, lifetime_of, row_index, STREAM_PLACE};
+use crate::gpu::{self, AdapterDescription, GpuBackend, GpuOptions};
+use crate::layout::{FrameStats, Particle, SystemRow};
+use crate::plan::{FrameInputs, Plan, PlanError, Turn};
+use crate::scene::Scene;
+
+/// Which adapter to run on.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum AdapterChoice {
+    /// Hardware, else software Vulkan, else the processor.
+    #[default]
+    Auto,
+    /// The processor, without any driver.
+    Cpu,
+    /// The first adapter whose name or driver contains this, whatever the case.
+    Named(String),
+}
+
+impl AdapterChoice {
+    /// As people write it: `auto`, `cpu`, or part of an adapter's name.
+    pub fn parse(text: &str) -> Self {
+        match text.trim().to_lowercase().as_str() {
+            "" | "auto" => Self::Auto,
+            "cpu" => Self::Cpu,
+            name => Self::Named(name.to_owned()),
+        }
+    }
+}
+
+/// How to run a scene. Nothing here but the turns changes a bit of the result.
+#[derive(Default)]
+pub struct Options<'a> {
+    /// Where.
+    pub adapter: AdapterChoice,
+    /// One past the last frame that will be stepped; 0 for the scene's own length. The computed
+    /// capacity covers frames below it.
+    pub frame_end: u32,
+    /// Changes of parameters while it runs.
+    pub turns: Vec<Turn>,
+    /// How a device is used.
+    pub gpu: GpuOptions<'a>,
+    /// Threads of the processor's backend; `None` for one a core.
+    pub threads: Option<usize>,
+}
+
+/// Why a simulation could not begin or go on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum SimulationError {
+    /// The scene asks for what cannot be planned.
+    Plan(PlanError),
+    /// There is no adapter of that name.
+    NoAdapter {
+        /// What was asked for.
+        wanted: String,
+        /// What there is.
+        available: Vec<String>,
+    },
+    /// The machine failed.
+    Backend(BackendError),
+}
+
+impl SimulationError {
+    /// Whether the input is at fault and not the machine.
+    pub fn is_users_fault(&self) -> bool {
+        !matches!(self, Self::Backend(_))
+    }
+}
+
+impl std::fmt::Display for SimulationError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Plan(e) => e.fmt(f),
+            Self::Backend(e) => e.fmt(f),
+            Self::NoAdapter { wanted, available } => write!(
+                f,
+                "error: no adapter's name or driver contains `{wanted}`\n  = help: there are {}",
+                available.join(", ")
+            ),
+        }
+    }
+}
+
+impl std::error::Error for SimulationError {}
+
+impl From<BackendError> for SimulationError {
+    fn from(error: BackendError) -> Self {
+        Self::Backend(error)
+    }
+}
+
+impl From<PlanError> for SimulationError {
+    fn from(error: PlanError) -> Self {
+        Self::Plan(error)
+    }
+}
+
+/// A live particle, for people: world space, units a frame, frames.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ParticleState {
+    /// World position.
+    pub position: [f32; 3],
+    /// World velocity, units a frame.
+    pub velocity: [f32; 3],
+    /// Frames since birth.
+    pub age: u32,
+    /// Frames it has been given in all.
+    pub lifetime: u32,
+    /// Index of its system in the scene.
+    pub system: u32,
+    /// A hash of who it is: the same in every run of the scene and seed.
+    pub id: u32,
+}
+
+/// A scene under way.
+pub struct Simulation {
+    plan: Plan,
+    backend: Box<dyn Backend>,
+    /// Inputs of the last frame stepped.
+    inputs: Option<FrameInputs>,
+    next_frame: u32,
+}
+
+/// The names of all adapters that a choice can name.
+pub fn adapter_names() -> Vec<String> {
+    let mut names: Vec<_> = gpu::adapters().into_iter().map(|adapter| adapter.name).collect();
+    names.push("cpu".into());
+    names
+}
+
+fn backend(plan: &Plan, options: &Options) -> Result<Box<dyn Backend>, SimulationError> {
+    let on_cpu = || -> Result<Box<dyn Backend>, SimulationError> {
+        Ok(Box::new(CpuBackend::new(plan, options.threads)?))
+    };
+    let wanted = match &options.adapter {
+        AdapterChoice::Cpu => return on_cpu(),
+        AdapterChoice::Auto => "",
+        AdapterChoice::Named(name) => name,
+    };
+    match gpu::open(wanted)? {
+        Some(device) => Ok(Box::new(GpuBackend::new(&device, plan, &options.gpu)?)),
+        None if wanted.is_empty() => on_cpu(),
+        None => Err(SimulationError::NoAdapter {
+            wanted: wanted.to_owned(),
+            available: adapter_names(),
+        }),
+    }
+}
+
+impl Simulation {
+    /// Plans the scene and opens the adapter. No frame has been stepped.
+    ///
+    /// # Errors
+    /// [`SimulationError`].
+    pub fn new(scene: &Scene, options: &Options) -> Result<Self, SimulationError> {
+        let plan = Plan::with_turns(scene, &options.turns, options.frame_end)?;
+        let backend = backend(&plan, options)?;
+        Ok(Self::with_backend(plan, backend))
+    }
+
+    /// On a backend of the caller's making.
+    pub fn with_backend(plan: Plan, backend: Box<dyn Backend>) -> Self {
+        Self { plan, backend, inputs: None, next_frame: 0 }
+    }
+
+    /// The plan that it follows.
+    pub fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    /// Name of the adapter that it runs on.
+    pub fn adapter_name(&self) -> String {
+        self.backend.adapter_name()
+    }
+
+    /// Whether its bits are those of every exact adapter.
+    pub fn is_exact(&self) -> bool {
+        self.backend.is_exact()
+    }
+
+    /// The last frame that has been stepped.
+    pub fn frame(&self) -> Option<u32> {
+        self.inputs.as_ref().map(|inputs| inputs.frame.frame)
+    }
+
+    /// Steps the next frame: births, deaths, motion. May return before the device is done.
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn step(&mut self) -> Result<(), SimulationError> {
+        let inputs = self.plan.inputs(self.next_frame);
+        self.step_with(inputs)
+    }
+
+    /// Steps the next frame with inputs of the caller's making; its frame number is set here.
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn step_with(&mut self, mut inputs: FrameInputs) -> Result<(), SimulationError> {
+        inputs.frame.frame = self.next_frame;
+        self.backend.step(&inputs)?;
+        self.inputs = Some(inputs);
+        self.next_frame += 1;
+        Ok(())
+    }
+
+    /// Steps, undrawn, until `frame` has been stepped. A run that has not begun starts at the
+    /// earliest frame that can still be seen in it (Reeves 1983, section 3), with the same result
+    /// as the whole run, as long as no births were dropped.
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn seek(&mut self, frame: u32) -> Result<(), SimulationError> {
+        self.seek_from(self.plan.restart_frame(frame), frame)
+    }
+
+    /// As [`Simulation::seek`], but a run that has not begun starts at frame `first`, empty.
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn seek_from(&mut self, first: u32, frame: u32) -> Result<(), SimulationError> {
+        if self.inputs.is_none() {
+            self.next_frame = first;
+        }
+        while self.next_frame <= frame {
+            self.step()?;
+        }
+        Ok(())
+    }
+
+    /// Draws the last frame stepped.
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn draw(&mut self) -> Result<(), SimulationError> {
+        if let Some(inputs) = &self.inputs {
+            self.backend.draw(inputs)?;
+        }
+        Ok(())
+    }
+
+    /// The image drawn last: RGBA, four bytes a pixel, rows from the top.
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn image(&mut self) -> Result<Vec<u8>, SimulationError> {
+        let pixels = self.backend.read("image")?;
+        Ok(pixels.into_iter().flat_map(u32::to_le_bytes).collect())
+    }
+
+    /// The living, in storage order: by birth frame, system and index.
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn particles(&mut self) -> Result<Vec<ParticleState>, SimulationError> {
+        let Some(inputs) = &self.inputs else { return Ok(Vec::new()) };
+        let words = self.backend.read("particles")?;
+        let particles: Vec<Particle> = bytemuck::pod_collect_to_vec(&words);
+        // Rows of earlier frames, as far back as a particle can have been born.
+        let rows_of = |birth_frame: u32| self.plan.inputs(birth_frame).rows;
+        let mut rows: Vec<SystemRow> = Vec::new();
+        let mut rows_frame = None;
+        Ok(particles
+            .iter()
+            .map(|particle| {
+                let (who, age) = identity_of(particle, inputs);
+                if rows_frame != Some(who.birth_frame) {
+                    rows = rows_of(who.birth_frame);
+                    rows_frame = Some(who.birth_frame);
+                }
+                let slot = particle.slot();
+                let system = &inputs.systems[slot as usize];
+                let row = &rows[row_index(slot, 0, 0)];
+                let origin = world_of(system, glam::Vec3::ZERO);
+                let position = world_of(system, particle.position().into());
+                let velocity = world_of(system, particle.velocity().into()) - origin;
+                ParticleState {
+                    position: position.into(),
+                    velocity: velocity.into(),
+                    age,
+                    lifetime: lifetime_of(who, row.speed_and_lifetime),
+                    system: slot,
+                    id: draw(who, STREAM_PLACE).x,
+                }
+            })
+            .collect())
+    }
+
+    /// Statistics of all frames stepped since the last call.
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn take_statistics(&mut self) -> Result<Vec<FrameStats>, SimulationError> {
+        Ok(self.backend.take_statistics()?)
+    }
+
+    /// Digest of the living: equal digests mean equal states.
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn state_digest(&mut self) -> Result<u64, SimulationError> {
+        Ok(self.backend.state_digest()?)
+    }
+
+    /// Digest of the image drawn last.
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn image_digest(&mut self) -> Result<u64, SimulationError> {
+        Ok(self.backend.image_digest()?)
+    }
+}
+
+/// All adapters, best first; the processor is not among them.
+pub fn adapters() -> Vec<AdapterDescription> {
+    gpu::adapters()
+}

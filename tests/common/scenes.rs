@@ -1,0 +1,240 @@
+//! Scenes to test on: small, and made to reach every branch.
+
+use motes::plan::{FrameInputs, Plan, Turn};
+use motes::scene::{self, Scene};
+
+/// One system of [`everything`] on its own cannot reach all branches; together they do:
+/// all generation and particle shapes, both kinds of streak light, both roundings, births that
+/// vary, grow, shrink and stop, rates of both signs, negative speeds, thresholds, transparencies
+/// that clamp, particles off-screen, behind the camera and across its near plane, discs larger
+/// than the picture and smaller than a pixel, particles at rest, sums of light that carry.
+const EVERYTHING: &str = r#"
+frames = 16
+seed = 77
+
+[image]
+width = 160
+height = 90
+background = [0.02, 0.3, 0.11]
+shutter = 0.7
+
+[camera]
+position = [1.4, 1.2, 4.5]
+target = [0.1, 0.3, 0.2]
+up = [0.2, 1, 0.1]
+near = 0.25
+
+[[system]]
+name = "jet"
+position = [-0.4, -0.6, 0.2]
+rotation_degrees = [-80, 25]
+initial_mean_parts = 60
+var_parts = 25
+birth_rounding = "nearest"
+generation_shape = { kind = "circle", radius = 0.3 }
+ejection_angle_degrees = 20
+speed = { mean = 0.25, var = 0.1 }
+lifetime = { mean = 9, var = 5 }
+color = { mean = [0.3, 0.2, 0.1], var = [0.3, 0.1, 0.15], rate = [0.02, -0.01, 0.03] }
+transparency = { mean = 0.2, var = 0.3, rate = 0.05 }
+size = { mean = 0.05, var = 0.03, rate = -0.004 }
+acceleration = [0.01, -0.03, 0.02]
+particle_shape = "streak"
+intensity_threshold = 0.09
+
+[[system]]
+name = "ball"
+position = [0.9, 0.4, -0.3]
+rotation_degrees = [200, -130]
+initial_mean_parts = 45
+delta_mean_parts = -6
+var_parts = 40
+generation_shape = { kind = "sphere", radius = 0.6 }
+speed = { mean = -0.05, var = 0.08 }
+lifetime = { mean = 6, var = 5.9 }
+color = { mean = [0.05, 0.2, 0.4], var = [0.06, 0.1, 0.2], rate = [-0.004, 0.02, -0.02] }
+transparency = { mean = 0.9, var = 0.4, rate = -0.06 }
+size = { mean = 0.005, var = 0.01, rate = 0.001 }
+acceleration = [0, 0.01, -0.01]
+
+[[system]]
+name = "plate"
+position = [-1.2, 0.9, -1]
+rotation_degrees = [33, 12]
+initial_mean_parts = 110
+var_parts = 10
+generation_shape = { kind = "rectangle", length = 2, width = 0.7 }
+ejection_angle_degrees = 180
+speed = { mean = 0.08, var = 0.08 }
+lifetime = { mean = 8, var = 2 }
+color = { mean = [0.1, 0.02, 0.05], var = [0.1, 0.02, 0.05] }
+size = { mean = 0.06, var = 0.05, rate = 0.003 }
+particle_shape = "rectangle"
+
+[[system]]
+name = "sparks"
+position = [0.2, 0.2, 0]
+initial_mean_parts = 30
+var_parts = 30
+generation_shape = { kind = "sphere", radius = 0.05 }
+speed = { mean = 0.5, var = 0.5 }
+lifetime = { mean = 10, var = 3 }
+color = { mean = [0.2, 0.15, 0.02], var = [0.1, 0.1, 0.02], rate = [-0.02, -0.02, 0] }
+size = { mean = 0.02, var = 0.018 }
+acceleration = [0, -0.05, 0]
+particle_shape = "streak"
+streak_light = "constant"
+
+[[system]]
+name = "around-the-camera"
+position = [1.3, 1.1, 4.2]
+initial_mean_parts = 2.4
+var_parts = 1.5
+generation_shape = { kind = "sphere", radius = 0.7 }
+speed = { mean = 0.02, var = 0.05 }
+lifetime = { mean = 5, var = 4 }
+color = { mean = [0.05, 0.03, 0.01], var = [0.02, 0.02, 0.02] }
+transparency = 0.5
+size = { mean = 0.1, var = 0.4 }
+
+[[system]]
+name = "at-rest"
+position = [0.5, 0.6, 0.4]
+rotation_degrees = [0, 90]
+initial_mean_parts = 1
+var_parts = 4
+generation_shape = { kind = "circle", radius = 0.8 }
+speed = 0
+lifetime = { mean = 4, var = 3.4 }
+color = { mean = [0.5, 0.1, 0.3], var = [0.1, 0.1, 0.1] }
+size = { mean = 0.04, var = 0.06 }
+particle_shape = "streak"
+
+[[system]]
+name = "passing-cloud"
+position = [0, -0.9, -2]
+first_frame = 3
+end_frame = 9
+initial_mean_parts_per_area = 0.02
+delta_mean_parts_per_area = 0.006
+var_parts_per_area = 0.01
+generation_shape = { kind = "circle", radius = 0.9 }
+ejection_angle_degrees = 75
+speed = { mean = 0.03, var = 0.02 }
+lifetime = { mean = 3, var = 1.5 }
+color = { mean = [0.05, 0.05, 0.06], var = [0.01, 0.01, 0.01] }
+size = { mean = 0.07, var = 0.05, rate = -0.02 }
+particle_shape = "streak"
+
+[[system]]
+name = "torch"
+position = [-0.7, 0.1, 0.5]
+initial_mean_parts = 2.5
+var_parts = 2
+generation_shape = { kind = "rectangle", length = 0.01, width = 0 }
+speed = 0
+lifetime = { mean = 6, var = 1 }
+color = { mean = [900, 650, 980], var = [90, 10, 200], rate = [-30, 40, 0] }
+size = { mean = 0.05, var = 0.02 }
+particle_shape = "rectangle"
+
+[[system]]
+name = "dust"
+position = [0.3, 0.3, 0]
+rotation_degrees = [15, 40]
+initial_mean_parts = 260
+var_parts = 160
+generation_shape = { kind = "sphere", radius = 1.9 }
+speed = { mean = 0.01, var = 0.03 }
+lifetime = { mean = 9, var = 4 }
+color = { mean = [0.01, 0.012, 0.02], var = [0.01, 0.01, 0.02], rate = [-0.001, 0.0005, -0.001] }
+size = { mean = 0.000002, var = 0.02 }
+acceleration = [-0.002, 0, 0.001]
+intensity_threshold = 0.008
+"#;
+
+/// A scene from its text.
+///
+/// # Panics
+/// Fails the test where the text is no scene.
+pub(crate) fn scene_of(toml: &str) -> Scene {
+    match scene::parse(toml, "test.toml", "test") {
+        Ok(scene) => scene,
+        Err(e) => panic!("{e}"),
+    }
+}
+
+/// The scene that reaches every branch: about 5,000 particles, 160 × 90 pixels.
+pub(crate) fn everything() -> Scene {
+    scene_of(EVERYTHING)
+}
+
+/// [`everything`] with room for only `capacity` particles, so that births are dropped.
+pub(crate) fn everything_within(capacity: u32) -> Scene {
+    Scene { capacity: Some(capacity), ..everything() }
+}
+
+/// [`everything`], planned with parameters that change at frames 3, 4 and 8, so that rows of
+/// several frames are in use.
+pub(crate) fn everything_turning(scene: &Scene) -> Plan {
+    let turn = |frame: u32, change: &dyn Fn(&mut Scene)| {
+        let mut scene = scene.clone();
+        change(&mut scene);
+        Turn { frame, scene }
+    };
+    let turns = [
+        turn(3, &|scene| {
+            for system in &mut scene.systems {
+                system.color.initial.mean.rotate_left(1);
+                system.speed.mean *= -0.5;
+                system.lifetime.mean += 1.0;
+            }
+        }),
+        turn(4, &|scene| {
+            scene.camera.position[0] -= 0.3;
+            scene.camera.vertical_fov_degrees = 70.0;
+            for system in &mut scene.systems {
+                system.size.initial.mean *= 1.5;
+                system.acceleration[1] += 0.01;
+            }
+        }),
+        turn(8, &|scene| {
+            scene.image.shutter = 1.0;
+            scene.systems.iter_mut().for_each(|system| {
+                system.transparency.initial.var = 0.3;
+                system.intensity_threshold = Some(0.01);
+            });
+        }),
+    ];
+    Plan::with_turns(scene, &turns, scene.frames).expect("the scene can be planned")
+}
+
+/// So many particles that the prefix sum over survivors needs all of its levels (131,072
+/// particles a second-level sum): for the simulation alone, drawing has nothing to show.
+pub(crate) fn crowd() -> Scene {
+    scene_of(
+        r#"
+frames = 4
+[image]
+width = 8
+height = 8
+[camera]
+position = [0, 0, 5]
+target = [0, 0, 0]
+[[system]]
+name = "crowd"
+initial_mean_parts = 140_000
+delta_mean_parts = -60_000
+generation_shape = { kind = "rectangle", length = 1, width = 1 }
+speed = { mean = 0.1, var = 0.05 }
+lifetime = { mean = 2, var = 1.5 }
+color = [0.1, 0.2, 0.3]
+size = 0.01
+"#,
+    )
+}
+
+/// The inputs of the first `count` frames of a plan.
+pub(crate) fn frames_of(plan: &Plan, count: u32) -> Vec<FrameInputs> {
+    (0..count).map(|frame| plan.inputs(frame)).collect()
+}

@@ -1,0 +1,215 @@
+//! Every key refuses what it should, with file, line, column, key and what would be right.
+
+use std::collections::BTreeSet;
+
+use crate::text::{FILE, MINIMAL, line_of, refused, with};
+use motes::scene::parse;
+use motes::scene::schema::{self, Field, Kind};
+
+/// Every key that is not a table: section, key, a value of the wrong kind, a value that is out
+/// of range, and words that the help must have.
+#[rustfmt::skip]
+pub(crate) const KEYS: &[(&str, &str, &str, &str, &str)] = &[
+    ("", "title", "3", r#""two\nlines""#, "at most 200 characters in one line"),
+    ("", "description", "false", r#""bell\u0007""#, "at most 10_000 characters"),
+    ("", "frames", "12.5", "0", "a whole number from 1 to 1_000_000"),
+    ("", "frame_rate", "\"fast\"", "241", "from 1 to 240"),
+    ("", "seed", "1.0", "-1", "from 0 to 9223372036854775807"),
+    ("", "capacity", "[1]", "1_000_000_001", "from 1 to 1_000_000_000"),
+    ("image", "width", "640.0", "4097", "from 1 to 4096, pixels"),
+    ("image", "height", "\"720\"", "0", "from 1 to 4096, pixels"),
+    ("image", "background", "0.5", "[0, 0, 1.01]", "3 numbers, each from 0 to 1"),
+    ("image", "shutter", "true", "1.5", "from 0 to 1, frames"),
+    ("camera", "position", "[0, 1]", "[0, 1e7, 0]", "3 numbers, each from -1_000_000 to 1_000_000, world"),
+    ("camera", "target", "[0, 0, 0, 0]", "[0, 0, nan]", "3 numbers, each from -1_000_000"),
+    ("camera", "up", "{ x = 1 }", "[0, inf, 0]", "3 numbers, each from -1_000_000"),
+    ("camera", "vertical_fov_degrees", "\"wide\"", "0.5", "from 1 to 170, degrees"),
+    ("camera", "near", "[0.1]", "0", "from 0.000001 to 1_000_000"),
+    ("system", "name", "7", r#""7th""#, "a letter or _, then letters, digits, - and _"),
+    ("system", "position", "1979-05-27", "[-2e6, 0, 0]", "3 numbers, each from -1_000_000"),
+    ("system", "rotation_degrees", "[0, 0, 0]", "[361, 0]", "2 numbers, each from -360 to 360"),
+    ("system", "first_frame", "0.5", "-1", "from 0 to 1_000_000"),
+    ("system", "end_frame", "\"never\"", "0", "from 1 to 1_000_000"),
+    ("system", "initial_mean_parts", "\"many\"", "-1", "from 0 to 16_000_000, particles a frame"),
+    ("system", "delta_mean_parts", "[1]", "1e9", "from -16_000_000 to 16_000_000"),
+    ("system", "var_parts", "false", "-0.5", "from 0 to 16_000_000"),
+    ("system", "initial_mean_parts_per_area", "\"1\"", "1001", "from 0 to 1000"),
+    ("system", "delta_mean_parts_per_area", "\"1\"", "-1001", "from -1000 to 1000"),
+    ("system", "var_parts_per_area", "\"1\"", "-1", "from 0 to 1000"),
+    ("system", "birth_rounding", "1", "\"nearst\"", "\"stochastic\", \"nearest\""),
+    ("system", "generation_shape", "\"sphere\"", "{ kind = \"cube\" }", "{ kind = \"circle\", radius }"),
+    ("system", "ejection_angle_degrees", "\"30\"", "181", "from 0 to 180, degrees"),
+    ("system", "speed", "\"0.1\"", "10_001", "from -10_000 to 10_000"),
+    ("system", "lifetime", "true", "0", "from 1 to 65_000"),
+    ("system", "color", "0.5", "[0, 0, -0.1]", "from 0 to 1000"),
+    ("system", "transparency", "[0.5]", "1.5", "from 0 to 1"),
+    ("system", "size", "\"big\"", "0", "from 0.000001 to 10_000"),
+    ("system", "acceleration", "-0.01", "[0, 0, 1e5]", "3 numbers, each from -10_000 to 10_000"),
+    ("system", "particle_shape", "3", "\"disc\"", "\"sphere\", \"rectangle\", \"streak\""),
+    ("system", "streak_light", "true", "\"kept\"", "\"conserved\", \"constant\""),
+    ("system", "intensity_threshold", "[0]", "-0.01", "from 0 to 1000"),
+    ("sphere", "radius", "\"1\"", "-1", "from 0 to 1_000_000"),
+    ("circle", "radius", "[1]", "inf", "from 0 to 1_000_000"),
+    ("rectangle", "length", "true", "-1", "from 0 to 1_000_000"),
+    ("rectangle", "width", "{}", "nan", "from 0 to 1_000_000"),
+];
+
+fn keys_of(section: &str, fields: &[Field], keys: &mut BTreeSet<(String, String)>) {
+    for field in fields {
+        match field.kind {
+            Kind::Table(fields) | Kind::Tables { fields, .. } => keys_of(field.key, fields, keys),
+            _ => drop(keys.insert((section.to_owned(), field.key.to_owned()))),
+        }
+        if let Kind::Variants(variants) = field.kind {
+            for variant in variants {
+                keys_of(variant.name, variant.fields, keys);
+            }
+        }
+    }
+}
+
+/// The text has the key on its usual line; the error is at its value, names the key and says
+/// what would be right.
+fn check_refused(text: &str, (section, key): (&str, &str), path: &str, right: &str) {
+    let error = refused(text);
+    let line = line_of(section, key);
+    let content = text.lines().nth(line - 1).unwrap_or_default();
+    let column = error.column().expect("a place");
+    let value = content.find(&format!("{} =", path.rsplit('.').next().unwrap_or(path)));
+    let value = value.expect("the line has the key") + 1;
+    let case = format!("\n{content}\n{error}\n");
+    assert_eq!(error.line(), Some(line), "{case}");
+    assert!(
+        (value..=content.chars().count()).contains(&column),
+        "{case}"
+    );
+    assert!(error.message().contains(path), "wants {path:?}: {case}");
+    assert!(error.help().contains(right), "wants {right:?}: {case}");
+    let shown = error.to_string();
+    let place = format!("--> {FILE}:{line}:{column}\n");
+    for part in ["error: `", &place, content, "^", "= help: "] {
+        assert!(shown.contains(part), "wants {part:?}: {case}");
+    }
+}
+
+#[test]
+fn every_key_refuses_wrong_kinds_and_ranges_with_a_place() {
+    let mut keys = BTreeSet::new();
+    keys_of("", schema::SCENE, &mut keys);
+    let tested = KEYS.iter().map(|row| (row.0.to_owned(), row.1.to_owned()));
+    assert_eq!(
+        keys,
+        tested.collect(),
+        "keys of the schema and of this test"
+    );
+    for &(section, key, wrong_kind, out_of_range, right) in KEYS {
+        let text = with(section, key, wrong_kind);
+        assert!(refused(&text).message().contains("cannot be "), "{text}");
+        check_refused(&text, (section, key), key, right);
+        check_refused(
+            &with(section, key, out_of_range),
+            (section, key),
+            key,
+            right,
+        );
+    }
+}
+
+#[test]
+fn every_part_of_a_spread_refuses_wrong_kinds_and_ranges() {
+    // Key, part, too much for it, and what would be right.
+    #[rustfmt::skip]
+    let parts = [
+        ("speed", "mean", "-10_001", "from -10_000 to 10_000, world units a frame"),
+        ("speed", "var", "-1", "from 0 to 10_000"),
+        ("lifetime", "mean", "0.5", "from 1 to 65_000, frames"),
+        ("lifetime", "var", "65_001", "from 0 to 65_000"),
+        ("color", "mean", "[0, 1001, 0]", "3 numbers, each from 0 to 1000"),
+        ("color", "var", "[0, 0, -0.1]", "3 numbers, each from 0 to 1000"),
+        ("color", "rate", "[-1001, 0, 0]", "3 numbers, each from -1000 to 1000"),
+        ("transparency", "mean", "-0.1", "from 0 to 1"),
+        ("transparency", "var", "1.1", "from 0 to 1"),
+        ("transparency", "rate", "-1.1", "from -1 to 1"),
+        ("size", "mean", "0", "from 0.000001 to 10_000, world units"),
+        ("size", "var", "-1", "from 0 to 10_000"),
+        ("size", "rate", "1e5", "from -10_000 to 10_000"),
+    ];
+    for (key, part, outside, right) in parts {
+        let path = format!("system.first.{key}.{part}");
+        for value in ["\"text\"", "{ x = 1 }", outside] {
+            let mean = match (part, key) {
+                ("mean", _) => "",
+                (_, "color") => "mean = [1, 1, 1], ",
+                _ => "mean = 1, ",
+            };
+            let text = with("system", key, &format!("{{ {mean}{part} = {value} }}"));
+            check_refused(&text, ("system", key), &path, right);
+        }
+    }
+    let error = refused(&with("system", "speed", "{ mean = 1, rate = 1 }"));
+    assert!(
+        error
+            .message()
+            .contains("no key `rate` in `system.first.speed`"),
+        "{error}"
+    );
+    let error = refused(&with("system", "speed", "{ var = 1 }"));
+    assert!(
+        error
+            .message()
+            .contains("`system.first.speed.mean` is missing"),
+        "{error}"
+    );
+}
+
+#[test]
+fn tables_refuse_what_is_no_table() {
+    let system = MINIMAL.find("[[system]]").expect("it is there");
+    let cases = [
+        (
+            "image = 3\n".to_owned() + MINIMAL,
+            "`image` must be a table",
+            "width, height",
+        ),
+        (
+            "camera = [1]".to_owned(),
+            "`camera` must be a table",
+            "position, target",
+        ),
+        (
+            "system = 1\n".to_owned() + &MINIMAL[..system],
+            "`system` cannot be",
+            "1 to 1024 tables",
+        ),
+        (
+            "system = []\n".to_owned() + &MINIMAL[..system],
+            "`system` cannot be",
+            "1 to 1024 tables",
+        ),
+        (
+            "system = [1]\n".to_owned() + &MINIMAL[..system],
+            "`system.0` must be",
+            "name, position",
+        ),
+        (
+            "[system]\n".to_owned() + &MINIMAL[..system],
+            "`system` cannot be a table",
+            "[[system]]",
+        ),
+    ];
+    for (text, message, help) in cases {
+        let error = refused(&text);
+        assert!(error.message().contains(message), "{error}");
+        assert!(error.help().contains(help), "{error}");
+        assert!(error.line().is_some_and(|line| line <= 2), "{error}");
+    }
+    let many = |count| {
+        let one = |i| MINIMAL[system..].replace("only", &format!("s{i}"));
+        MINIMAL[..system].to_owned() + &(0..count).map(one).collect::<String>()
+    };
+    assert_eq!(
+        parse(&many(1024), FILE, "s").map(|scene| scene.systems.len()),
+        Ok(1024)
+    );
+    assert!(refused(&many(1025)).message().contains("an array of 1025"));
+}

@@ -1,0 +1,86 @@
+// What a particle is made of, recomputed whenever it is asked for: its attributes are hashes of
+// who it is, spread by the parameter row of its system at its birth frame
+// (Reeves 1983, sections 2.2 to 2.4). Twin of src/cpu/particle.rs.
+#define_import_path motes::particle
+
+#import motes::layout::{Particle, SystemRow}
+#import motes::rng::{pcg4d, unit_float, signed_float}
+#import motes::exact::{clamp_exact, f32_of_u32, max_exact, snap, to_i32}
+
+// Streams of the hash: which attributes a draw is for.
+const STREAM_PLACE: u32 = 0u;
+const STREAM_MOTION: u32 = 1u;
+const STREAM_COLOR: u32 = 2u;
+const STREAM_BIRTHS: u32 = 3u;
+
+// The least size at birth: a particle always covers something.
+const LEAST_SIZE: f32 = 0.000001f;
+
+// Who it is: its system's key, the frame of its birth, its index among that frame's births.
+struct Identity {
+    key: u32,
+    birth_frame: u32,
+    index: u32,
+}
+
+// What it looks like.
+struct Appearance {
+    color: vec3<f32>,
+    transparency: f32,
+    size: f32,
+}
+
+fn slot_of(particle_birth: u32) -> u32 {
+    return particle_birth >> 16u;
+}
+
+// Frames since birth; lifetimes are below 65,536, so the low 16 bits tell.
+fn age_of(particle_birth: u32, frame: u32) -> u32 {
+    return (frame - particle_birth) & 0xffffu;
+}
+
+fn row_index(slot: u32, birth_frame: u32, row_mask: u32) -> u32 {
+    return slot * (row_mask + 1u) + (birth_frame & row_mask);
+}
+
+fn draw(who: Identity, stream: u32) -> vec4<u32> {
+    return pcg4d(vec4<u32>(who.key, who.birth_frame, who.index, stream));
+}
+
+// Lifetime in whole frames, at least 1 (2.4).
+fn lifetime_of(who: Identity, speed_and_lifetime: vec4<f32>) -> u32 {
+    let random = signed_float(draw(who, STREAM_PLACE).w);
+    let frames = to_i32(speed_and_lifetime.z + random * speed_and_lifetime.w + 0.5f);
+    return u32(max(frames, 1));
+}
+
+// Colour, transparency and size after `steps` frames of change (2.2, 2.3).
+fn appearance_of(who: Identity, row: SystemRow, steps: u32) -> Appearance {
+    let random = draw(who, STREAM_COLOR);
+    let n = f32_of_u32(steps);
+    let mean = row.color_mean;
+    let half_width = row.color_var;
+    let rate = row.color_rate;
+    let red = max_exact(mean.x + signed_float(random.x) * half_width.x, 0.0f);
+    let green = max_exact(mean.y + signed_float(random.y) * half_width.y, 0.0f);
+    let blue = max_exact(mean.z + signed_float(random.z) * half_width.z, 0.0f);
+    let clear = clamp_exact(mean.w + signed_float(random.w) * half_width.w, 0.0f, 1.0f);
+    let changing = row.size_and_threshold;
+    let spread = signed_float(draw(who, STREAM_MOTION).w) * changing.y;
+    let size = max_exact(changing.x + spread, LEAST_SIZE);
+    return Appearance(
+        vec3<f32>(
+            max_exact(red + n * rate.x, 0.0f),
+            max_exact(green + n * rate.y, 0.0f),
+            max_exact(blue + n * rate.z, 0.0f),
+        ),
+        clamp_exact(clear + n * rate.w, 0.0f, 1.0f),
+        max_exact(size + n * changing.z, 0.0f),
+    );
+}
+
+// I = (1 - transparency) max(R, G, B) (2.4).
+fn intensity_of(look: Appearance) -> f32 {
+    let brightest = max_exact(look.color.x, max_exact(look.color.y, look.color.z));
+    return snap((1.0f - look.transparency) * brightest);
+}

@@ -1,0 +1,59 @@
+// advance: each survivor moves one frame and takes its compacted place in the other pool.
+//
+// Reeves 1983, 2.3, in the order of the text: position += velocity, then
+// velocity += acceleration. One invocation a particle of the source page; a particle is written
+// by the dispatch of the one target page that its place falls in.
+// Reads: frame, system_frames, counts, alive_bits, word_offsets, particles. Writes: survivors.
+// Invariant: survivors keep their order, so the pool is always sorted by birth frame, system and
+// index.
+
+#import motes::dispatch::linear_index
+#import motes::exact::bits_of
+#import motes::layout::{Counts, Frame, Particle, SystemFrame}
+#import motes::particle::slot_of
+
+const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
+
+struct Pages {
+    source_page: u32,
+    target_page: u32,
+}
+var<immediate> pages: Pages;
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+@group(0) @binding(1) var<storage, read> system_frames: array<SystemFrame>;
+@group(0) @binding(2) var<storage, read> counts: Counts;
+@group(0) @binding(3) var<storage, read> alive_bits: array<u32>;
+@group(0) @binding(4) var<storage, read> word_offsets: array<u32>;
+@group(0) @binding(5) var<storage, read> particles: array<Particle>;
+@group(0) @binding(6) var<storage, read_write> survivors: array<Particle>;
+
+@compute @workgroup_size(WORKGROUP_SIZE)
+fn advance(@builtin(global_invocation_id) global_id: vec3<u32>) {
+    let at = linear_index(global_id, WORKGROUP_SIZE);
+    let global_at = pages.source_page * frame.page_len + at;
+    if at >= frame.page_len || global_at >= counts.total {
+        return;
+    }
+    let word = global_at / 32u;
+    let bit = global_at % 32u;
+    let bits = alive_bits[word];
+    if ((bits >> bit) & 1u) == 0u {
+        return;
+    }
+    let place = word_offsets[word] + countOneBits(bits & ((1u << bit) - 1u));
+    let target_at = place - pages.target_page * frame.page_len;
+    if target_at >= frame.page_len {
+        return;
+    }
+    let position_bits = particles[at].position_and_index;
+    let velocity_bits = particles[at].velocity_and_birth;
+    let velocity = bitcast<vec3<f32>>(velocity_bits.xyz);
+    let acceleration = system_frames[slot_of(velocity_bits.w)].acceleration.xyz;
+    let position = bitcast<vec3<f32>>(position_bits.xyz) + velocity;
+    let next = velocity + acceleration;
+    survivors[target_at] = Particle(
+        vec4<u32>(bits_of(position.x), bits_of(position.y), bits_of(position.z), position_bits.w),
+        vec4<u32>(bits_of(next.x), bits_of(next.y), bits_of(next.z), velocity_bits.w),
+    );
+}

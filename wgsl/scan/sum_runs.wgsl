@@ -1,0 +1,29 @@
+// sum_runs: sums of runs of 64 of the first sums.
+//
+// Second step of the prefix sum over the survivors. Reads: counts, sums_1. Writes: sums_2.
+// Invariant: sums_2[i] is the number of survivors among particles [131072 i, 131072 (i + 1)).
+
+#import motes::dispatch::linear_index
+#import motes::layout::Counts
+
+const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
+
+@group(0) @binding(0) var<storage, read> counts: Counts;
+@group(0) @binding(1) var<storage, read> sums_1: array<u32>;
+@group(0) @binding(2) var<storage, read_write> sums_2: array<u32>;
+
+@compute @workgroup_size(WORKGROUP_SIZE)
+fn sum_runs(@builtin(global_invocation_id) global_id: vec3<u32>) {
+    let sums = (counts.total + 2047u) / 2048u;
+    let run = linear_index(global_id, WORKGROUP_SIZE);
+    let first = run * 64u;
+    if first >= sums {
+        return;
+    }
+    let end = min(first + 64u, sums);
+    var sum = 0u;
+    for (var at = first; at < end; at += 1u) {
+        sum += sums_1[at];
+    }
+    sums_2[run] = sum;
+}

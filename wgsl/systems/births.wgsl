@@ -1,0 +1,35 @@
+// births: how many particles each system asks for in this frame.
+//
+// Reeves 1983, 2.1: NParts = MeanParts + Rand() VarParts, made whole by stochastic rounding
+// (or to the nearest), never negative.
+// One invocation a system. Reads: frame, system_frames. Writes: birth_counts.
+// Invariant: birth_counts[s] depends on the system's key and the frame alone.
+
+#import motes::exact::to_i32
+#import motes::layout::{Frame, SystemFrame}
+#import motes::particle::{Identity, STREAM_BIRTHS, draw}
+#import motes::rng::{signed_float, unit_float}
+
+const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
+
+// Below 2^24, so that a count is exact as a float.
+const MOST_BIRTHS: i32 = 16777215;
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+@group(0) @binding(1) var<storage, read> system_frames: array<SystemFrame>;
+@group(0) @binding(2) var<storage, read_write> birth_counts: array<u32>;
+
+@compute @workgroup_size(WORKGROUP_SIZE)
+fn births(@builtin(global_invocation_id) global_id: vec3<u32>) {
+    let slot = global_id.x;
+    if slot >= frame.system_count {
+        return;
+    }
+    let key = system_frames[slot].key;
+    let random = draw(Identity(key, frame.frame, 0u), STREAM_BIRTHS);
+    let wanted = system_frames[slot].mean_parts
+        + signed_float(random.x) * system_frames[slot].var_parts;
+    let stochastic = system_frames[slot].stochastic_rounding == 1u;
+    let count = to_i32(wanted + select(0.5f, unit_float(random.y), stochastic));
+    birth_counts[slot] = u32(clamp(count, 0, MOST_BIRTHS));
+}
