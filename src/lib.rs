@@ -1,6 +1,68 @@
-//! Motes: a headless-first particle laboratory.
+//! Motes: a headless-first particle laboratory whose every state and every pixel is the same, bit
+//! for bit, on every driver.
+//!
+//! # The house
+//!
+//! ```text
+//! scenes/*.toml --> scene --> plan --> gpu --+
+//!    (the user)   (checked)  (pure)    cpu --+--> simulation --> cli, output, check
+//! ```
+//!
+//! Imports run one way, left to right. [`scene`] is what the user wrote, checked. [`plan`] makes of
+//! it named buffers, the stages of a frame ([`plan::STAGES`]: reading the table is reading the
+//! frame) and, for any frame, one [`plan::FrameInputs`] with everything that reaches it from
+//! outside. Two backends run a plan: [`gpu`] expands each stage into WGSL kernels
+//! ([`gpu::STAGE_KERNELS`]), [`cpu`] runs their twins with rayon; both are a
+//! [`backend::Backend`]. [`simulation`] is the front door of the library, [`cli`] that of the
+//! program, [`check`] holds two backends against each other.
+//!
+//! A stage has one basename: `wgsl/particles/advance.wgsl` and `src/cpu/particles/advance.rs`.
+//! What Rust and WGSL share stands once in each: [`layout`], [`exact`], [`transcendental`], [`rng`].
+//!
+//! # One frame, as the data sees it
+//!
+//! 1. *births*: how many particles each system bears; where its newborns go.
+//! 2. *emit*: the newborns' places and velocities, behind the living.
+//! 3. *cull*: who dies, one bit a particle; prefix sums over the bits.
+//! 4. *advance*: survivors move, and take their compacted places in the other pool.
+//! 5. *splat*: particles add light to pixels, in 64-bit integers.
+//! 6. *resolve*: light becomes bytes.
+//!
+//! Counts stay on the device; nothing comes back but a ring of statistics, and what is asked for.
+//!
+//! # Who a particle is
+//!
+//! Its system's key (a hash of the seed and the system's name), the frame of its birth, and its
+//! index among that frame's births. Every attribute is a hash of these and of a stream number,
+//! spread by the parameter row of its system at its birth. Nothing depends on where it is stored,
+//! so a run can be entered at any frame from one lifetime before, and two runs differ only in what
+//! was asked to be different.
+//!
+//! # Exactness
+//!
+//! Kernels use only what every driver computes alike: `+ - *`, comparisons, `floor`, `abs`,
+//! integers; a lint on naga's IR ([`gpu::shader`]) refuses everything else. The SPIR-V forbids
+//! contraction. Floats are snapped ([`exact::snap`]) before they are stored or compared, so
+//! denormals and the sign of zero cannot be seen. Compaction is by prefix sums and keeps the order;
+//! light is added in integers.
+//!
+//! # Example
+//!
+//! ```
+//! use motes::simulation::{AdapterChoice, Options, Simulation};
+//!
+//! let scene = motes::scene::load_with("fountain", &["image.width=160".into(), "image.height=90".into()])?;
+//! let options = Options { adapter: AdapterChoice::Cpu, ..Options::default() };
+//! let mut simulation = Simulation::new(&scene, &options)?;
+//! simulation.seek(11)?;
+//! simulation.draw()?;
+//! assert_eq!(simulation.image()?.len(), 160 * 90 * 4);
+//! assert_eq!(simulation.particles()?.len(), simulation.take_statistics()?[11].live as usize);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod backend;
+pub mod check;
 pub mod cli;
 pub mod cpu;
 pub mod exact;

@@ -4,6 +4,7 @@ use crate::backend::{Backend, BackendError};
 use crate::cpu::CpuBackend;
 use crate::cpu::draw::splat::world_of;
 use crate::cpu::particle::{draw, identity_of, lifetime_of, row_index, STREAM_PLACE};
+use crate::exact::dot3;
 use crate::gpu::{self, AdapterDescription, GpuBackend, GpuOptions};
 use crate::layout::{FrameStats, Particle, SystemRow};
 use crate::plan::{FrameInputs, Plan, PlanError, Turn};
@@ -199,8 +200,16 @@ impl Simulation {
     /// Steps the next frame with inputs of the caller's making; its frame number is set here.
     ///
     /// # Errors
-    /// The machine fails.
+    /// The machine fails, or the inputs use what the plan does not ([`crate::plan::Uses`]).
     pub fn step_with(&mut self, mut inputs: FrameInputs) -> Result<(), SimulationError> {
+        if !self.plan.uses.cover(&inputs) {
+            return Err(SimulationError::Plan(PlanError {
+                message: "these inputs use what no system of the plan does".into(),
+                help: "give the plan a system, or a change, that has the same particle shapes \
+                       and an intensity threshold where the inputs have one"
+                    .into(),
+            }));
+        }
         inputs.frame.frame = self.next_frame;
         self.backend.step(&inputs)?;
         self.inputs = Some(inputs);
@@ -275,9 +284,16 @@ impl Simulation {
                 let slot = particle.slot();
                 let system = &inputs.systems[slot as usize];
                 let row = &rows[row_index(slot, 0, 0)];
-                let origin = world_of(system, glam::Vec3::ZERO);
                 let position = world_of(system, particle.position().into());
-                let velocity = world_of(system, particle.velocity().into()) - origin;
+                // A velocity only turns: taking the origin away again would cost it its last digits.
+                let turned = |[x, y, z, _]: [f32; 4]| {
+                    dot3(glam::Vec3::new(x, y, z), particle.velocity().into())
+                };
+                let velocity = glam::Vec3::new(
+                    turned(system.world_from_system_x),
+                    turned(system.world_from_system_y),
+                    turned(system.world_from_system_z),
+                );
                 ParticleState {
                     position: position.into(),
                     velocity: velocity.into(),

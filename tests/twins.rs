@@ -1,19 +1,74 @@
-//! Every stage on every adapter against the processor, bit for bit.
+//! Every stage on every adapter against the processor, bit for bit: after each stage, every state
+//! buffer that it writes; after each frame, digests and statistics.
 mod common;
 
 use common::*;
 use motes::gpu::GpuOptions;
-use motes::plan::Plan;
+use motes::layout::Counts;
+use motes::plan::{FrameInputs, Plan};
+
+/// Small pages, so that survivors cross from page to page.
+fn small_pages() -> GpuOptions<'static> {
+    GpuOptions { page_bytes: 64 << 10, workgroup_size: 64, ..GpuOptions::default() }
+}
+
+/// Runs the frames on each adapter in lockstep with the processor.
+fn assert_twins(plan: &Plan, frames: &[FrameInputs], options: &GpuOptions) {
+    on_each_adapter(|name, device| {
+        let mut gpu = on_gpu(device, plan, options);
+        if let Err(difference) = compare_run(frames, &mut gpu, &mut on_cpu(plan)) {
+            panic!("{name}: {difference}");
+        }
+    });
+}
 
 #[test]
 fn everything_is_the_same_stage_by_stage() {
     let scene = everything();
     let plan = Plan::new(&scene, scene.frames).expect("the scene can be planned");
-    on_each_adapter(|name, device| {
-        let mut gpu = on_gpu(device, &plan, &GpuOptions::default());
-        let mut cpu = on_cpu(&plan);
-        if let Err(difference) = compare_run(&frames_of(&plan, 16), &mut gpu, &mut cpu) {
-            panic!("{name}: {difference}");
+    assert_twins(&plan, &frames_of(&plan, 16), &GpuOptions::default());
+}
+
+#[test]
+fn everything_is_the_same_while_parameters_turn() {
+    let plan = everything_turning(&everything());
+    assert!(plan.row_count > 1);
+    assert_twins(&plan, &frames_of(&plan, 16), &small_pages());
+}
+
+#[test]
+fn everything_is_the_same_when_births_are_dropped() {
+    let plan = everything_turning(&everything_within(2500));
+    assert_twins(&plan, &frames_of(&plan, 12), &small_pages());
+}
+
+#[test]
+fn extreme_inputs_are_the_same_stage_by_stage() {
+    for seed in 0..if full() { 200 } else { 6 } {
+        // Where the 16 bits of birth frames wrap, and where those of all frames do.
+        let first = [65_530, u32::MAX - 7, 250][seed as usize % 3];
+        let (plan, frames) = adversarial(seed, first, 10);
+        assert_twins(&plan, &frames, &small_pages());
+    }
+}
+
+#[test]
+fn nothing_at_all_is_the_same() {
+    let plan = everything_turning(&everything_within(1));
+    let mut frames = frames_of(&plan, 4);
+    for inputs in &mut frames[..3] {
+        for system in &mut inputs.systems {
+            (system.mean_parts, system.var_parts) = (0.0, 0.0);
         }
-    });
+    }
+    assert_twins(&plan, &frames, &small_pages());
+    let counts = |inputs: &FrameInputs| {
+        let mut cpu = on_cpu(&plan);
+        compare_run(std::slice::from_ref(inputs), &mut on_cpu(&plan), &mut cpu).expect("itself");
+        let words = motes::backend::Backend::read(&mut cpu, "counts").expect("a state buffer");
+        let [counts]: [Counts; 1] = bytemuck::pod_collect_to_vec(&words).try_into().expect("one");
+        counts
+    };
+    assert_eq!(counts(&frames[0]), Counts::default());
+    assert!(counts(&frames[3]).dropped > 0 && counts(&frames[3]).live == 1);
 }

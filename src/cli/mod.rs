@@ -1,6 +1,7 @@
 //! The command line: parsed low, checked high, one file a subcommand.
 
 mod adapters;
+mod check;
 mod render;
 mod scenes;
 
@@ -27,6 +28,8 @@ struct Cli {
 enum Command {
     /// Simulate a scene and draw it into pictures or an animation
     Render(render::RenderArgs),
+    /// Compare an adapter with the processor, bit for bit
+    Check(check::CheckArgs),
     /// List the adapters that scenes can run on, best first
     Adapters(adapters::AdaptersArgs),
     /// List the built-in scenes
@@ -109,6 +112,7 @@ pub fn main() -> u8 {
     };
     let result = match cli.command {
         Command::Render(args) => render::run(args),
+        Command::Check(args) => check::run(&args),
         Command::Adapters(args) => adapters::run(&args),
         Command::Scenes(args) => scenes::run(&args),
     };

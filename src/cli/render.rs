@@ -14,7 +14,7 @@ use crate::output::{
     StatsWriter, dump_path, write_particles,
 };
 use crate::recording::Recording;
-use crate::scene::{self, Scene};
+use crate::scene::{self, Scene, SceneError};
 use crate::simulation::{AdapterChoice, Options, Simulation};
 
 /// Arguments of `motes render`.
@@ -113,7 +113,10 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
         None => OutputTarget::Folder(folder),
     };
     let turns = match &args.inputs {
-        Some(path) => recording_of(path)?.turns(&args.scene, &sets)?,
+        Some(path) => {
+            let turns = recording_of(path)?.turns(&args.scene, &sets);
+            turns.map_err(|e| refused_change(e, path))?
+        }
         None => Vec::new(),
     };
     let mut simulation = Simulation::new(
@@ -154,7 +157,9 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
             simulation.plan().capacity
         );
     }
-    eprintln!("motes: wrote {}", target.path().display());
+    // As it was asked for: a pattern's own path would be that of frame 0, drawn or not.
+    let place = args.output.unwrap_or_else(|| target.path().display().to_string());
+    eprintln!("motes: wrote {place}");
     Ok(0)
 }
 
@@ -163,6 +168,13 @@ fn recording_of(path: &Path) -> Result<Recording, CliError> {
         CliError::usage(format!("{} cannot be read: {e}", path.display()), "name a text file")
     })?;
     Ok(Recording::parse(&text, &path.display().to_string())?)
+}
+
+/// A change that the scene refuses, with the file that asks for it.
+fn refused_change(error: SceneError, path: &Path) -> CliError {
+    let mut told = CliError::from(error);
+    told.message += &format!("\n   = note: the change stands in {}", path.display());
+    told
 }
 
 /// What is written while frames go by.
@@ -267,7 +279,7 @@ impl Job<'_> {
     }
 }
 
-fn progress_bar(frames: u32) -> ProgressBar {
+pub(super) fn progress_bar(frames: u32) -> ProgressBar {
     if !std::io::stderr().is_terminal() {
         return ProgressBar::hidden();
     }

@@ -26,7 +26,7 @@ enum Work {
     Once,
     /// One a system.
     Systems,
-    /// One a pixel.
+    /// One for every four pixels.
     Pixels,
     /// As the dispatch at that place says.
     Listed(u32),
@@ -65,12 +65,12 @@ const DIGEST_RUN: u32 = 64;
 pub(super) struct Command {
     pub(super) kernel: &'static str,
     group: wgpu::BindGroup,
-    immediates: Vec<u32>,
-    size: Size,
+    pub(super) immediates: Vec<u32>,
+    pub(super) size: Size,
 }
 
 #[derive(Debug)]
-enum Size {
+pub(super) enum Size {
     Direct(u32, u32),
     /// Index into `dispatches`.
     Indirect(u32),
@@ -146,7 +146,7 @@ impl GpuBackend {
         match kernel_use.work {
             Work::Once => push(0, 0, &[], Size::Direct(1, 1)),
             Work::Systems => push(0, 0, &[], direct(plan.system_count)),
-            Work::Pixels => push(0, 0, &[], direct(plan.width * plan.height)),
+            Work::Pixels => push(0, 0, &[], direct((plan.width * plan.height).div_ceil(4))),
             Work::Listed(at) => push(0, 0, &[], Size::Indirect(at)),
             Work::NewbornPages => (0..paging.page_count).try_for_each(|page| {
                 push(page as usize, 0, &[page], Size::Indirect(paging.emit_dispatch(page)))
@@ -175,7 +175,7 @@ impl GpuBackend {
     ) -> Result<Command, BackendError> {
         let kernel = &self.kernels[kernel_name];
         let mut entries = Vec::new();
-        for binding in &kernel.bindings {
+        for binding in &kernel.compiled.bindings {
             let page = match binding.name.as_str() {
                 "particles" => pages.particles,
                 "survivors" => pages.survivors,
@@ -183,7 +183,7 @@ impl GpuBackend {
                 name => Some(self.memory.named(name)?),
             };
             let buffer = page.ok_or_else(|| {
-                BackendError::Internal(format!("{}: no page for `{}`", kernel.name, binding.name))
+                BackendError::Internal(format!("{kernel_name}: no page for `{}`", binding.name))
             })?;
             debug_assert!(binding.access != Access::Uniform || binding.name == "frame");
             entries.push(wgpu::BindGroupEntry {

@@ -1,6 +1,7 @@
 //! A compiled kernel on a device, and the buffers it asks for by name.
 
 use super::adapter::GpuDevice;
+use super::probe::KernelForm;
 use super::raw;
 use super::shader::{Access, Binding, CompiledKernel};
 use crate::backend::BackendError;
@@ -9,8 +10,8 @@ use crate::plan::{Buffer, buffer};
 /// A pipeline with what it binds.
 #[derive(Debug)]
 pub(super) struct Kernel {
-    pub(super) name: String,
-    pub(super) bindings: Vec<Binding>,
+    /// What was handed to the driver, kept for reports about it.
+    pub(super) compiled: CompiledKernel,
     pub(super) pipeline: wgpu::ComputePipeline,
     pub(super) layout: wgpu::BindGroupLayout,
 }
@@ -37,7 +38,9 @@ pub fn check_binding(binding: &Binding) -> Result<(), String> {
         .strip_prefix("atomic<")
         .and_then(|inner| inner.strip_suffix('>'))
         .unwrap_or(&shape.type_name);
-    if type_name != *record || shape.stride != *stride {
+    // Words may be looked at four at a time: buffers hold whole fours.
+    let in_fours = *record == "u32" && type_name == "vec4<u32>" && shape.runtime_array;
+    if !in_fours && (type_name != *record || shape.stride != *stride) {
         return Err(format!(
             "{place}: `{name}` holds {record} of {stride} bytes, not {type_name} of {} bytes",
             shape.stride
@@ -51,6 +54,18 @@ impl Kernel {
         for binding in &compiled.bindings {
             check_binding(binding).map_err(BackendError::Internal)?;
         }
+        let form =
+            if gpu.description.exact { KernelForm::Spirv } else { KernelForm::Wgsl };
+        Self::unchecked_bindings(gpu, compiled, form, checked)
+    }
+
+    /// The kernel, whatever its bindings are called and hold.
+    pub(super) fn unchecked_bindings(
+        gpu: &GpuDevice,
+        compiled: &CompiledKernel,
+        form: KernelForm,
+        checked: bool,
+    ) -> Result<Self, BackendError> {
         let device = &gpu.device;
         let entries: Vec<_> = compiled.bindings.iter().map(layout_entry).collect();
         let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
@@ -62,10 +77,9 @@ impl Kernel {
             bind_group_layouts: &[Some(&layout)],
             immediate_size: compiled.immediate_size,
         });
-        let module = if gpu.description.exact {
-            raw::spirv_module(device, compiled)
-        } else {
-            raw::wgsl_module(device, compiled, checked)
+        let module = match form {
+            KernelForm::Spirv => raw::spirv_module(device, compiled),
+            KernelForm::Wgsl => raw::wgsl_module(device, compiled, checked),
         };
         let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
             label: Some(&compiled.name),
@@ -80,8 +94,7 @@ impl Kernel {
         });
         gpu.check()?;
         Ok(Self {
-            name: compiled.name.clone(),
-            bindings: compiled.bindings.clone(),
+            compiled: compiled.clone(),
             pipeline,
             layout,
         })

@@ -115,11 +115,26 @@ impl Memory {
         Ok(Self { paging, pools, named, bytes })
     }
 
+    /// Every buffer, those of the pools included.
+    pub(super) fn all(&self) -> impl Iterator<Item = &wgpu::Buffer> {
+        self.pools.iter().flatten().chain(self.named.values())
+    }
+
     /// The buffer of that name; the pools are not among them.
     pub(super) fn named(&self, name: &str) -> Result<&wgpu::Buffer, BackendError> {
         self.named
             .get(name)
             .ok_or_else(|| BackendError::Internal(format!("no buffer `{name}`")))
+    }
+
+    /// Makes it dark, as every splat begins.
+    pub(super) fn clear_light(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> Result<(), BackendError> {
+        encoder.clear_buffer(self.named("light_low")?, 0, None);
+        encoder.clear_buffer(self.named("light_high")?, 0, None);
+        Ok(())
     }
 }
 
@@ -128,7 +143,7 @@ fn usage_of(name: &str) -> wgpu::BufferUsages {
     let role = crate::plan::buffer(name).map(|declared| declared.role);
     let kind = match (name, role) {
         ("frame", _) => Usage::UNIFORM | Usage::COPY_DST,
-        ("dispatches", _) => Usage::STORAGE | Usage::INDIRECT,
+        ("dispatches", _) => Usage::STORAGE | Usage::INDIRECT | Usage::COPY_DST,
         (_, Some(BufferRole::Input)) => Usage::STORAGE | Usage::COPY_DST,
         _ => Usage::STORAGE | Usage::COPY_DST,
     };

@@ -9,14 +9,17 @@ mod commands;
 pub mod dispatch;
 mod kernel;
 mod memory;
+mod probe;
 mod raw;
 mod readback;
+mod record;
 pub mod shader;
 mod timing;
+mod yardstick;
 
 use std::collections::{HashMap, VecDeque};
 
-use crate::backend::{Backend, BackendError};
+use crate::backend::{Backend, BackendError, StageRecord};
 use crate::layout::{Counts, Frame, FrameStats};
 use crate::plan::{FrameInputs, Plan, STAGES, Stage};
 use commands::Command;
@@ -28,6 +31,7 @@ use timing::Timer;
 pub use adapter::{AdapterDescription, GpuDevice, adapters, open};
 pub use commands::{KernelUse, STAGE_KERNELS};
 pub use kernel::check_binding;
+pub use probe::KernelForm;
 pub use timing::KernelTimes;
 
 /// A change that a test makes to one kernel's module.
@@ -51,6 +55,18 @@ pub struct GpuOptions<'a> {
     pub timed: bool,
     /// A defect put in on purpose.
     pub mutation: Option<Mutation<'a>>,
+}
+
+/// Switches of what the plan does not use.
+fn switches_off(plan: &Plan) -> Vec<&'static str> {
+    [
+        ("THRESHOLDS", plan.uses.thresholds),
+        ("STREAKS", plan.uses.streaks),
+        ("RECTANGLES", plan.uses.rectangles),
+    ]
+    .into_iter()
+    .filter_map(|(switch, used)| (!used).then_some(switch))
+    .collect()
 }
 
 /// Frames that may be under way on the device at once.
@@ -86,6 +102,7 @@ impl GpuBackend {
         let most_page_bytes = if options.page_bytes == 0 { u64::MAX } else { options.page_bytes };
         let memory = Memory::new(gpu, plan, most_page_bytes)?;
         let mut kernels = HashMap::new();
+        let off = switches_off(plan);
         for source in shader::sources::KERNELS {
             let mutate = options
                 .mutation
@@ -94,7 +111,7 @@ impl GpuBackend {
                 .map(|mutation| mutation.change);
             let compiled = shader::compile(
                 source.name,
-                &shader::CompileOptions { workgroup_size, checked: options.checked, mutate },
+                &shader::CompileOptions { workgroup_size, checked: options.checked, off: &off, mutate },
             )
             .map_err(|e| BackendError::Internal(e.to_string()))?;
             kernels.insert(source.name, Kernel::new(gpu, &compiled, options.checked)?);
@@ -166,16 +183,27 @@ impl GpuBackend {
 
     /// Submits the stages' dispatches in order.
     fn submit(&mut self, stages: &[Stage], inputs: &FrameInputs) -> Result<(), BackendError> {
+        self.submit_kernels(stages, |_| true, inputs)
+    }
+
+    /// Submits those of the stages' dispatches whose kernel is `wanted`; a stage is over with its
+    /// last kernel.
+    fn submit_kernels(
+        &mut self,
+        stages: &[Stage],
+        wanted: impl Fn(&str) -> bool,
+        inputs: &FrameInputs,
+    ) -> Result<(), BackendError> {
         self.upload(inputs)?;
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         let mut timed = self.timer.as_mut().map(Timer::frame);
         for &stage in stages {
             if stage == Stage::Splat {
-                encoder.clear_buffer(self.memory.named("light_low")?, 0, None);
-                encoder.clear_buffer(self.memory.named("light_high")?, 0, None);
+                self.memory.clear_light(&mut encoder)?;
             }
             let dispatches = self.memory.named("dispatches")?;
-            let commands = &self.commands[self.current][&stage];
+            let all = &self.commands[self.current][&stage];
+            let commands = all.iter().filter(|command| wanted(command.kernel));
             match &mut timed {
                 None => {
                     let mut pass = encoder.begin_compute_pass(&Default::default());
@@ -189,6 +217,9 @@ impl GpuBackend {
                         command.encode(&mut pass, &self.kernels, dispatches);
                     }
                 }
+            }
+            if all.last().is_some_and(|last| !wanted(last.kernel)) {
+                continue;
             }
             match stage {
                 Stage::Emit => self.newborns_present = true,
@@ -286,6 +317,14 @@ impl Backend for GpuBackend {
 
     fn take_statistics(&mut self) -> Result<Vec<FrameStats>, BackendError> {
         self.ring.take(&self.gpu, &self.memory)
+    }
+
+    fn record_stage(
+        &mut self,
+        stage: Stage,
+        inputs: &FrameInputs,
+    ) -> Result<Option<StageRecord>, BackendError> {
+        self.record(stage, inputs).map(Some)
     }
 
     fn state_digest(&mut self) -> Result<u64, BackendError> {

@@ -21,7 +21,7 @@ impl GpuBackend {
         self.upload(inputs)?;
         if stage == Stage::Splat {
             let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
-            self.clear_light(&mut encoder)?;
+            self.memory.clear_light(&mut encoder)?;
             self.gpu.queue.submit([encoder.finish()]);
         }
         let commands = &self.commands[self.current][&stage];

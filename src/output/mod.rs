@@ -10,12 +10,14 @@
 //! | `sink.rs` | frames, one after another | [`FrameSink`] |
 //! | `png.rs` | one picture | [`write_png`] |
 //! | `gif/` | an animation: palette, dithering, changes between frames | inside [`FrameSink`] |
+//! | `folder.rs` | a folder of files | inside [`check::save`](crate::check::save) |
 //! | `ply.rs` | a dump of one population | [`write_particles`] |
 //! | `csv.rs` | one row a population a frame | [`StatsWriter`] |
 
 mod atomic;
 mod csv;
 mod error;
+mod folder;
 mod gif;
 mod ply;
 mod png;
@@ -24,6 +26,7 @@ mod target;
 
 pub use csv::{Measured, ParticleCounts, StatsRow, StatsWriter};
 pub use error::OutputError;
+pub(crate) use folder::{AtomicFolder, write_whole};
 pub use ply::{ParticleRecord, dump_path, write_particles};
 pub use png::write_png;
 pub use sink::{FrameSink, Written};

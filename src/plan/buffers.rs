@@ -30,7 +30,7 @@ pub enum Count {
     Rows,
     /// One for every so many particles of the capacity; the last may stand for fewer.
     ParticlesOver(u32),
-    /// So many a pixel.
+    /// So many a pixel, for pixels in whole fours.
     Pixels(u32),
     /// A list of the backend's pages.
     Backend,
@@ -106,7 +106,7 @@ impl Buffer {
             Count::Systems { each, extra } => plan.system_count * each + extra,
             Count::Rows => plan.system_count * plan.row_count,
             Count::ParticlesOver(each) => plan.capacity.div_ceil(each),
-            Count::Pixels(each) => plan.width * plan.height * each,
+            Count::Pixels(each) => (plan.width * plan.height).next_multiple_of(4) * each,
             Count::Backend => return None,
         })
     }

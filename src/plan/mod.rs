@@ -16,6 +16,7 @@ pub use buffers::{BUFFERS, Buffer, BufferRole, Count, buffer};
 pub use inputs::FrameInputs;
 pub use stages::{STAGES, Stage, StageInfo};
 
+use crate::layout::{PARTICLE_RECTANGLE, PARTICLE_STREAK, SystemRow};
 use crate::scene::Scene;
 use variant::Variant;
 
@@ -45,6 +46,40 @@ pub struct Turn {
     pub scene: Scene,
 }
 
+/// Which features some system has at some time; kernels leave out what none has.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Uses {
+    /// Extinction by intensity.
+    pub thresholds: bool,
+    /// Particles drawn as streaks.
+    pub streaks: bool,
+    /// Particles drawn as rectangles.
+    pub rectangles: bool,
+}
+
+impl Uses {
+    fn of(row: &SystemRow) -> Self {
+        Self {
+            thresholds: row.size_and_threshold[3] >= 0.0,
+            streaks: row.kinds[1] == PARTICLE_STREAK,
+            rectangles: row.kinds[1] == PARTICLE_RECTANGLE,
+        }
+    }
+
+    fn and(self, other: Self) -> Self {
+        Self {
+            thresholds: self.thresholds | other.thresholds,
+            streaks: self.streaks | other.streaks,
+            rectangles: self.rectangles | other.rectangles,
+        }
+    }
+
+    /// Whether inputs of the caller's making use no more than this.
+    pub fn cover(self, inputs: &FrameInputs) -> bool {
+        inputs.rows.iter().all(|row| self.and(Self::of(row)) == self)
+    }
+}
+
 /// What a backend needs to know of a scene.
 #[derive(Clone, Debug)]
 pub struct Plan {
@@ -60,6 +95,8 @@ pub struct Plan {
     pub width: u32,
     /// Pixels down.
     pub height: u32,
+    /// What its systems make use of, at any time.
+    pub uses: Uses,
     variants: Vec<Variant>,
 }
 
@@ -97,7 +134,13 @@ impl Plan {
         } else {
             (lifetime_bound + 1).next_power_of_two()
         };
+        let uses = variants
+            .iter()
+            .flat_map(|variant| &variant.systems)
+            .map(|system| Uses::of(&system.row))
+            .fold(Uses::default(), Uses::and);
         Ok(Self {
+            uses,
             capacity,
             lifetime_bound,
             row_count,

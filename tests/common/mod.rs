@@ -1,8 +1,11 @@
 //! What the tests of backends share: adapters, scenes, and a comparison of two backends stage by
 //! stage. Each test binary uses a part of it.
-#![allow(dead_code)]
+#![allow(dead_code, unused_imports)]
 
+mod adversarial;
+mod probes;
 mod scenes;
+pub(crate) mod statistics;
 
 use std::sync::{Mutex, PoisonError};
 
@@ -11,6 +14,8 @@ use motes::cpu::CpuBackend;
 use motes::gpu::{self, GpuBackend, GpuDevice, GpuOptions};
 use motes::plan::{BUFFERS, BufferRole, FrameInputs, Plan, STAGES, Stage};
 
+pub(crate) use adversarial::*;
+pub(crate) use probes::*;
 pub(crate) use scenes::*;
 
 /// Adapters that tests run on: llvmpipe and SwiftShader, or those that the variable

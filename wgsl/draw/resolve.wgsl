@@ -2,8 +2,9 @@
 //
 // Reeves 1983, 2.5: red, green and blue are clamped at the frame buffer's maximum.
 // Byte = floor(clamp(v) 255 + 0.5) of the light plus the background.
-// One invocation a pixel. Reads: frame, light_low, light_high. Writes: image (RGBA, red in the low
-// byte, rows from the top).
+// One invocation four pixels, so that loads and stores are of four words; buffers are padded to
+// whole fours, and what is past the picture's end is written as 0. Reads: frame, light_low, light_high. Writes: image
+// (RGBA, red in the low byte, rows from the top).
 // Invariant: each pixel depends on its own sums alone.
 
 #import motes::dispatch::linear_index
@@ -14,23 +15,43 @@
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 
 @group(0) @binding(0) var<uniform> frame: Frame;
-@group(0) @binding(1) var<storage, read> light_low: array<u32>;
-@group(0) @binding(2) var<storage, read> light_high: array<u32>;
-@group(0) @binding(3) var<storage, read_write> image: array<u32>;
+@group(0) @binding(1) var<storage, read> light_low: array<vec4<u32>>;
+@group(0) @binding(2) var<storage, read> light_high: array<vec4<u32>>;
+@group(0) @binding(3) var<storage, read_write> image: array<vec4<u32>>;
 
-fn byte_of(light: f32) -> u32 {
+fn byte_of(low: u32, high: u32, background: f32) -> u32 {
+    let light = light_of(low, high) + background;
     return u32(to_i32(clamp_exact(light, 0.0f, 1.0f) * 255.0f + 0.5f));
+}
+
+fn pixel_of(pixel: u32, low: vec3<u32>, high: vec3<u32>) -> u32 {
+    if pixel >= frame.width * frame.height {
+        return 0u;
+    }
+    let red = byte_of(low.x, high.x, frame.background.x);
+    let green = byte_of(low.y, high.y, frame.background.y);
+    let blue = byte_of(low.z, high.z, frame.background.z);
+    return red | (green << 8u) | (blue << 16u) | 0xff000000u;
 }
 
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn resolve(@builtin(global_invocation_id) global_id: vec3<u32>) {
-    let pixel = linear_index(global_id, WORKGROUP_SIZE);
-    if pixel >= frame.width * frame.height {
+    let four = linear_index(global_id, WORKGROUP_SIZE);
+    let first = four * 4u;
+    if first >= frame.width * frame.height {
         return;
     }
-    let at = pixel * 3u;
-    let red = byte_of(light_of(light_low[at], light_high[at]) + frame.background.x);
-    let green = byte_of(light_of(light_low[at + 1u], light_high[at + 1u]) + frame.background.y);
-    let blue = byte_of(light_of(light_low[at + 2u], light_high[at + 2u]) + frame.background.z);
-    image[pixel] = red | (green << 8u) | (blue << 16u) | 0xff000000u;
+    let at = four * 3u;
+    let low_a = light_low[at];
+    let low_b = light_low[at + 1u];
+    let low_c = light_low[at + 2u];
+    let high_a = light_high[at];
+    let high_b = light_high[at + 1u];
+    let high_c = light_high[at + 2u];
+    image[four] = vec4<u32>(
+        pixel_of(first, low_a.xyz, high_a.xyz),
+        pixel_of(first + 1u, vec3<u32>(low_a.w, low_b.xy), vec3<u32>(high_a.w, high_b.xy)),
+        pixel_of(first + 2u, vec3<u32>(low_b.zw, low_c.x), vec3<u32>(high_b.zw, high_c.x)),
+        pixel_of(first + 3u, low_c.yzw, high_c.yzw),
+    );
 }

@@ -21,6 +21,9 @@
 #import motes::particle::{Identity, age_of, appearance_of, row_index, slot_of}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
+// Whether any system draws such particles.
+const STREAKS: bool = #{STREAKS};
+const RECTANGLES: bool = #{RECTANGLES};
 
 const PARTICLE_RECTANGLE: u32 = 1u;
 const PARTICLE_STREAK: u32 = 2u;
@@ -33,6 +36,8 @@ const MOST_RADIUS_PX: f32 = 256.0f;
 const GUARD_PX: i32 = 1024;
 // A disc of at least this radius needs no scaling of its weights; below half of it, all of it.
 const LARGE_RADIUS_PX: f32 = 4.0f;
+// Pixels from the centre at which a small disc's edge ends at most.
+const SMALL_REACH_PX: f32 = 1.5f;
 
 struct Pages {
     page: u32,
@@ -56,6 +61,22 @@ struct Projected {
     scale: f32,
 }
 
+// The system in that slot; a lone one is loaded once for all invocations.
+fn system_at(slot: u32) -> SystemFrame {
+    if frame.system_count == 1u {
+        return system_frames[0];
+    }
+    return system_frames[slot];
+}
+
+// The parameter row there. A lone row is loaded once for all invocations, not once for each.
+fn row_at(index: u32) -> SystemRow {
+    if frame.system_count == 1u && frame.row_mask == 0u {
+        return rows[0];
+    }
+    return rows[index];
+}
+
 fn transform(x_row: vec4<f32>, y_row: vec4<f32>, z_row: vec4<f32>, p: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(
         x_row.x * p.x + x_row.y * p.y + x_row.z * p.z + x_row.w,
@@ -64,11 +85,11 @@ fn transform(x_row: vec4<f32>, y_row: vec4<f32>, z_row: vec4<f32>, p: vec3<f32>)
     );
 }
 
-fn project(slot: u32, in_system: vec3<f32>) -> Projected {
+fn project(system: SystemFrame, in_system: vec3<f32>) -> Projected {
     let world = transform(
-        system_frames[slot].world_from_system_x,
-        system_frames[slot].world_from_system_y,
-        system_frames[slot].world_from_system_z,
+        system.world_from_system_x,
+        system.world_from_system_y,
+        system.world_from_system_z,
         in_system,
     );
     let view = transform(
@@ -134,22 +155,25 @@ fn minor_range(capsule: Capsule, major: i32) -> vec2<i32> {
     );
 }
 
+// The radius whose edge, one pixel wide, gives the area of a disc of `radius_px`: such an edge adds
+// 1/12 to the square of the radius. At least half a pixel.
+fn edged_radius(radius_px: f32) -> f32 {
+    return max_exact(square_root(max_exact(radius_px * radius_px - 0.0833333333f, 0.0f)), 0.5f);
+}
+
 fn splat_capsule(
-    start: Projected, end: Projected, radius_px: f32, color: vec3<f32>, conserved: bool,
+    start: Projected, end: Projected, radius_px: f32, reach: f32, color: vec3<f32>,
+    conserved: bool,
 ) {
     let dx = end.x - start.x;
     let dy = end.y - start.y;
     let steep = less(abs(dx), abs(dy));
     let length_squared = dx * dx + dy * dy;
-    // A one-pixel edge adds 1/12 to the square of the radius: taken off first.
-    let true_squared = radius_px * radius_px;
-    let radius = max_exact(square_root(max_exact(true_squared - 0.0833333333f, 0.0f)), 0.5f);
     let along_major = select(dx, dy, steep);
     let along_minor = select(dy, dx, steep);
     let inverse_length = inverse_square_root(length_squared);
     let moves = less(0.0001f, length_squared);
     let slope = select(0.0f, along_minor * reciprocal(along_major), moves);
-    let reach = radius + 0.5f;
     let capsule = Capsule(
         select(start.x, start.y, steep),
         select(start.y, start.x, steep),
@@ -177,7 +201,7 @@ fn splat_capsule(
                 sum += weight_at(capsule, major, minor);
             }
         }
-        let scaled = PI * true_squared * reciprocal(sum);
+        let scaled = PI * radius_px * radius_px * reciprocal(sum);
         let half = 0.5f * LARGE_RADIUS_PX;
         let share = clamp_exact((radius_px - half) * 0.5f, 0.0f, 1.0f);
         gain = select(scaled + share * (1.0f - scaled), scaled, moves);
@@ -191,6 +215,32 @@ fn splat_capsule(
             if less(0.0f, weight) {
                 add_light(select(major, minor, steep), select(minor, major, steep), color, weight);
             }
+        }
+    }
+}
+
+// A disc at rest whose edge reaches at most 1.5 pixels covers nothing but the nine pixels around
+// its centre's: no loops, and each weight is computed once.
+fn splat_small_disc(center: Projected, radius_px: f32, reach: f32, color: vec3<f32>) {
+    let left = to_i32(center.x) - 1;
+    let top = to_i32(center.y) - 1;
+    var weights: array<f32, 9>;
+    var sum = 0.0f;
+    for (var at = 0; at < 9; at += 1) {
+        let dx = f32_of_i32(left + at % 3) + 0.5f - center.x;
+        let dy = f32_of_i32(top + at / 3) + 0.5f - center.y;
+        let distance = square_root(dx * dx + dy * dy);
+        let weight = clamp_exact(reach - distance, 0.0f, 1.0f);
+        weights[at] = weight;
+        sum += weight;
+    }
+    let gain = PI * radius_px * radius_px * reciprocal(sum);
+    for (var at = 0; at < 9; at += 1) {
+        let x = left + at % 3;
+        let y = top + at / 3;
+        let weight = weights[at] * gain;
+        if less(0.0f, weight) && x >= 0 && y >= 0 && x < i32(frame.width) && y < i32(frame.height) {
+            add_light(x, y, color, weight);
         }
     }
 }
@@ -228,17 +278,18 @@ fn splat(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let slot = slot_of(velocity_bits.w);
     let age = age_of(velocity_bits.w, frame.frame);
     let birth_frame = frame.frame - age;
-    let who = Identity(system_frames[slot].key, birth_frame, position_bits.w);
-    let row = row_index(slot, birth_frame, frame.row_mask);
-    let look = appearance_of(who, rows[row], age + 1u);
-    let kinds = rows[row].kinds;
+    let system = system_at(slot);
+    let who = Identity(system.key, birth_frame, position_bits.w);
+    let row = row_at(row_index(slot, birth_frame, frame.row_mask));
+    let look = appearance_of(who, row, age + 1u);
+    let kinds = row.kinds;
 
     let position = bitcast<vec3<f32>>(position_bits.xyz);
-    let start = project(slot, position);
+    let start = project(system, position);
     var end = start;
-    if kinds.y == PARTICLE_STREAK {
+    if STREAKS && kinds.y == PARTICLE_STREAK {
         let velocity = bitcast<vec3<f32>>(velocity_bits.xyz);
-        end = project(slot, position + velocity * frame.shutter);
+        end = project(system, position + velocity * frame.shutter);
     }
     if less(start.depth, frame.near) || less(end.depth, frame.near) {
         return;
@@ -254,9 +305,14 @@ fn splat(@builtin(global_invocation_id) global_id: vec3<u32>) {
         return;
     }
     let color = look.color * (1.0f - look.transparency);
-    if kinds.y == PARTICLE_RECTANGLE {
+    if RECTANGLES && kinds.y == PARTICLE_RECTANGLE {
         splat_rectangle(start, radius_px, color);
+        return;
+    }
+    let edge = edged_radius(radius_px) + 0.5f;
+    if kinds.y != PARTICLE_STREAK && less(edge, SMALL_REACH_PX) {
+        splat_small_disc(start, radius_px, edge, color);
     } else {
-        splat_capsule(start, end, radius_px, color, kinds.z != STREAK_CONSTANT);
+        splat_capsule(start, end, radius_px, edge, color, kinds.z != STREAK_CONSTANT);
     }
 }

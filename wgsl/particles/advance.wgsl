@@ -28,6 +28,14 @@ var<immediate> pages: Pages;
 @group(0) @binding(5) var<storage, read> particles: array<Particle>;
 @group(0) @binding(6) var<storage, read_write> survivors: array<Particle>;
 
+// The acceleration of the system in that slot; a lone one is loaded once for all invocations.
+fn acceleration_at(slot: u32) -> vec3<f32> {
+    if frame.system_count == 1u {
+        return system_frames[0].acceleration.xyz;
+    }
+    return system_frames[slot].acceleration.xyz;
+}
+
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn advance(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let at = linear_index(global_id, WORKGROUP_SIZE);
@@ -49,7 +57,7 @@ fn advance(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let position_bits = particles[at].position_and_index;
     let velocity_bits = particles[at].velocity_and_birth;
     let velocity = bitcast<vec3<f32>>(velocity_bits.xyz);
-    let acceleration = system_frames[slot_of(velocity_bits.w)].acceleration.xyz;
+    let acceleration = acceleration_at(slot_of(velocity_bits.w));
     let position = bitcast<vec3<f32>>(position_bits.xyz) + velocity;
     let next = velocity + acceleration;
     survivors[target_at] = Particle(

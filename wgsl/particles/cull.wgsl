@@ -15,6 +15,8 @@
 }
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
+// Whether any system kills by intensity.
+const THRESHOLDS: bool = #{THRESHOLDS};
 
 struct Pages {
     page: u32,
@@ -28,22 +30,38 @@ var<immediate> pages: Pages;
 @group(0) @binding(4) var<storage, read> particles: array<Particle>;
 @group(0) @binding(5) var<storage, read_write> alive_bits: array<u32>;
 
+// The system in that slot; a lone one is loaded once for all invocations.
+fn system_at(slot: u32) -> SystemFrame {
+    if frame.system_count == 1u {
+        return system_frames[0];
+    }
+    return system_frames[slot];
+}
+
+// The parameter row there. A lone row is loaded once for all invocations, not once for each.
+fn row_at(index: u32) -> SystemRow {
+    if frame.system_count == 1u && frame.row_mask == 0u {
+        return rows[0];
+    }
+    return rows[index];
+}
+
 fn survives(at: u32) -> bool {
     let index = particles[at].position_and_index.w;
     let birth = particles[at].velocity_and_birth.w;
     let slot = slot_of(birth);
     let age = age_of(birth, frame.frame);
     let birth_frame = frame.frame - age;
-    let who = Identity(system_frames[slot].key, birth_frame, index);
-    let row = row_index(slot, birth_frame, frame.row_mask);
-    if age >= lifetime_of(who, rows[row].speed_and_lifetime) {
+    let who = Identity(system_at(slot).key, birth_frame, index);
+    let row = row_at(row_index(slot, birth_frame, frame.row_mask));
+    if age >= lifetime_of(who, row.speed_and_lifetime) {
         return false;
     }
-    let threshold = rows[row].size_and_threshold.w;
-    if less(threshold, 0.0f) {
+    let threshold = row.size_and_threshold.w;
+    if !THRESHOLDS || less(threshold, 0.0f) {
         return true;
     }
-    return !less(intensity_of(appearance_of(who, rows[row], age + 1u)), threshold);
+    return !less(intensity_of(appearance_of(who, row, age + 1u)), threshold);
 }
 
 @compute @workgroup_size(WORKGROUP_SIZE)

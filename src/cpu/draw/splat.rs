@@ -10,7 +10,7 @@ use crate::exact::{
     square_root, to_i32,
 };
 use crate::layout::{
-    PARTICLE_RECTANGLE, PARTICLE_STREAK, Particle, STREAK_CONSTANT, SystemFrame, SystemRow,
+    Frame, PARTICLE_RECTANGLE, PARTICLE_STREAK, Particle, STREAK_CONSTANT, SystemFrame, SystemRow,
 };
 use crate::plan::FrameInputs;
 
@@ -18,6 +18,7 @@ const PI: f32 = std::f32::consts::PI;
 const MOST_RADIUS_PX: f32 = 256.0;
 const GUARD_PX: i32 = 1024;
 const LARGE_RADIUS_PX: f32 = 4.0;
+const SMALL_REACH_PX: f32 = 1.5;
 
 /// A point in pixels, its depth along the view axis, and the pixels a world unit spans there.
 #[derive(Clone, Copy)]
@@ -49,9 +50,8 @@ pub fn world_of(system: &SystemFrame, in_system: Vec3) -> Vec3 {
 }
 
 #[inline]
-fn project(inputs: &FrameInputs, slot: u32, in_system: Vec3) -> Projected {
-    let frame = &inputs.frame;
-    let world = world_of(&inputs.systems[slot as usize], in_system);
+fn project(frame: &Frame, system: &SystemFrame, in_system: Vec3) -> Projected {
+    let world = world_of(system, in_system);
     let view = transform(
         frame.view_from_world_x,
         frame.view_from_world_y,
@@ -111,11 +111,18 @@ impl Capsule {
     }
 }
 
+/// The radius whose edge, one pixel wide, gives the area of a disc of `radius_px`.
+#[inline]
+fn edged_radius(radius_px: f32) -> f32 {
+    max_exact(square_root(max_exact(radius_px * radius_px - 0.083_333_333, 0.0)), 0.5)
+}
+
 fn splat_capsule(
     light: &LightSums,
     start: Projected,
     end: Projected,
     radius_px: f32,
+    reach: f32,
     color: Vec3,
     conserved: bool,
 ) {
@@ -123,15 +130,11 @@ fn splat_capsule(
     let dy = end.y - start.y;
     let steep = less(dx.abs(), dy.abs());
     let length_squared = dx * dx + dy * dy;
-    let true_squared = radius_px * radius_px;
-    let radius =
-        max_exact(square_root(max_exact(true_squared - 0.083_333_333, 0.0)), 0.5);
     let along_major = if steep { dy } else { dx };
     let along_minor = if steep { dx } else { dy };
     let inverse_length = inverse_square_root(length_squared);
     let moves = less(0.0001, length_squared);
     let slope = if moves { along_minor * reciprocal(along_major) } else { 0.0 };
-    let reach = radius + 0.5;
     let capsule = Capsule {
         start_major: if steep { start.y } else { start.x },
         start_minor: if steep { start.x } else { start.y },
@@ -158,7 +161,7 @@ fn splat_capsule(
                 sum += capsule.weight_at(major, minor);
             }
         }
-        let scaled = PI * true_squared * reciprocal(sum);
+        let scaled = PI * radius_px * radius_px * reciprocal(sum);
         let half = 0.5 * LARGE_RADIUS_PX;
         let share = clamp_exact((radius_px - half) * 0.5, 0.0, 1.0);
         gain = if moves { scaled } else { scaled + share * (1.0 - scaled) };
@@ -171,6 +174,39 @@ fn splat_capsule(
                 let (x, y) = if steep { (minor, major) } else { (major, minor) };
                 add_light(light, x, y, color, weight);
             }
+        }
+    }
+}
+
+/// A disc at rest whose edge reaches at most 1.5 pixels covers nothing but the nine pixels around
+/// its centre's.
+fn splat_small_disc(
+    light: &LightSums,
+    center: Projected,
+    radius_px: f32,
+    reach: f32,
+    color: Vec3,
+) {
+    let left = to_i32(center.x) - 1;
+    let top = to_i32(center.y) - 1;
+    let mut weights = [0.0; 9];
+    let mut sum = 0.0;
+    for at in 0..9 {
+        let dx = f32_of_i32(left + at % 3) + 0.5 - center.x;
+        let dy = f32_of_i32(top + at / 3) + 0.5 - center.y;
+        let distance = square_root(dx * dx + dy * dy);
+        let weight = clamp_exact(reach - distance, 0.0, 1.0);
+        weights[at as usize] = weight;
+        sum += weight;
+    }
+    let gain = PI * radius_px * radius_px * reciprocal(sum);
+    for at in 0..9 {
+        let x = left + at % 3;
+        let y = top + at / 3;
+        let weight = weights[at as usize] * gain;
+        let inside = x >= 0 && y >= 0 && x < light.width as i32 && y < light.height as i32;
+        if less(0.0, weight) && inside {
+            add_light(light, x, y, color, weight);
         }
     }
 }
@@ -200,18 +236,18 @@ fn splat_rectangle(light: &LightSums, center: Projected, half_px: f32, color: Ve
 /// Adds the light of `particle`, as of the frame of `inputs`.
 pub fn splat(particle: &Particle, inputs: &FrameInputs, rows: &[SystemRow], light: &LightSums) {
     let frame = &inputs.frame;
-    let slot = particle.slot();
+    let system = &inputs.systems[particle.slot() as usize];
     let (who, age) = identity_of(particle, inputs);
-    let row = &rows[row_index(slot, who.birth_frame, frame.row_mask)];
+    let row = &rows[row_index(particle.slot(), who.birth_frame, frame.row_mask)];
     let look = appearance_of(who, row, age + 1);
     let [_, particle_shape, streak_light, _] = row.kinds;
 
     let position = Vec3::from(particle.position());
-    let start = project(inputs, slot, position);
+    let start = project(frame, system, position);
     let mut end = start;
     if particle_shape == PARTICLE_STREAK {
         let velocity = Vec3::from(particle.velocity());
-        end = project(inputs, slot, position + velocity * frame.shutter);
+        end = project(frame, system, position + velocity * frame.shutter);
     }
     if less(start.depth, frame.near) || less(end.depth, frame.near) {
         return;
@@ -230,7 +266,13 @@ pub fn splat(particle: &Particle, inputs: &FrameInputs, rows: &[SystemRow], ligh
     let color = look.color * (1.0 - look.transparency);
     if particle_shape == PARTICLE_RECTANGLE {
         splat_rectangle(light, start, radius_px, color);
+        return;
+    }
+    let edge = edged_radius(radius_px) + 0.5;
+    if particle_shape != PARTICLE_STREAK && less(edge, SMALL_REACH_PX) {
+        splat_small_disc(light, start, radius_px, edge, color);
     } else {
-        splat_capsule(light, start, end, radius_px, color, streak_light != STREAK_CONSTANT);
+        let conserved = streak_light != STREAK_CONSTANT;
+        splat_capsule(light, start, end, radius_px, edge, color, conserved);
     }
 }

@@ -36,7 +36,13 @@ pub(super) struct Input<'a> {
     pub(super) libraries: &'a [Source],
     /// What `#{WORKGROUP_SIZE}` stands for.
     pub(super) workgroup_size: u32,
+    /// The switches of [`SWITCHES`] that are off.
+    pub(super) off: &'a [&'static str],
 }
+
+/// What a shader may leave out, by `const STREAKS: bool = #{STREAKS};`, when a plan has no use for
+/// it: drivers drop the code, and software drivers would otherwise run it masked.
+pub(super) const SWITCHES: &[&str] = &["THRESHOLDS", "STREAKS", "RECTANGLES"];
 
 /// A composed and validated module.
 pub(super) struct Composed {
@@ -97,7 +103,11 @@ fn composer(input: &Input) -> Result<Composer, ShaderError> {
 fn compose_by(composer: &mut Composer, input: &Input) -> Result<Composed, ShaderError> {
     let text = Locator::anchored(input.text);
     let size = ShaderDefValue::UInt(input.workgroup_size);
-    let shader_defs = HashMap::from([("WORKGROUP_SIZE".to_owned(), size)]);
+    let mut shader_defs = HashMap::from([("WORKGROUP_SIZE".to_owned(), size)]);
+    for switch in SWITCHES {
+        let on = ShaderDefValue::Bool(!input.off.contains(switch));
+        shader_defs.insert((*switch).to_owned(), on);
+    }
     let made = composer.make_naga_module(NagaModuleDescriptor {
         source: &text,
         file_path: input.file,

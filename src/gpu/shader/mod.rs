@@ -43,6 +43,8 @@ pub struct CompileOptions<'a> {
     /// Whether indices, integer divisors and loops are checked by the kernel itself. Unchecked
     /// kernels are faster, and must keep their own indices in range.
     pub checked: bool,
+    /// Switches (`THRESHOLDS`, `STREAKS`, `RECTANGLES`) that are off: what the plan does not use.
+    pub off: &'a [&'static str],
     /// Changes the module after it has passed the lint, so that a test can see a twin fail.
     pub mutate: Option<&'a dyn Fn(&mut naga::Module)>,
 }
@@ -53,6 +55,7 @@ impl Default for CompileOptions<'_> {
         Self {
             workgroup_size: 256,
             checked: false,
+            off: &[],
             mutate: None,
         }
     }
@@ -63,6 +66,7 @@ impl fmt::Debug for CompileOptions<'_> {
         f.debug_struct("CompileOptions")
             .field("workgroup_size", &self.workgroup_size)
             .field("checked", &self.checked)
+            .field("off", &self.off)
             .field("mutate", &self.mutate.is_some())
             .finish()
     }
@@ -111,6 +115,7 @@ pub fn compile_source(
         text,
         libraries: sources::LIBRARIES,
         workgroup_size: options.workgroup_size,
+        off: options.off,
     };
     compile_input(&input, options)
 }
@@ -166,6 +171,12 @@ pub fn constants(source: &str) -> Result<Vec<Constant>, ShaderError> {
     Ok(shape::constants(&composed.module))
 }
 
+/// The library (`None`: the shader's own file) and the item that a name in a composed module
+/// stands for, e.g. `motes::exact` and `snap`.
+pub fn origin(name: &str) -> (Option<String>, &str) {
+    mangle::split(name)
+}
+
 fn listed(name: &str) -> Result<&'static sources::Source, ShaderError> {
     sources::find(name).ok_or_else(|| {
         let at = Location {
@@ -177,13 +188,14 @@ fn listed(name: &str) -> Result<&'static sources::Source, ShaderError> {
     })
 }
 
-fn input(source: &'static sources::Source, options: &CompileOptions) -> Input<'static> {
+fn input<'a>(source: &'static sources::Source, options: &CompileOptions<'a>) -> Input<'a> {
     Input {
         name: source.name,
         file: source.file,
         text: source.text,
         libraries: sources::LIBRARIES,
         workgroup_size: options.workgroup_size,
+        off: options.off,
     }
 }
 

@@ -59,6 +59,7 @@ fn compile(text: &str, libraries: &[Source]) -> Result<super::CompiledKernel, Sh
         text,
         libraries,
         workgroup_size: 64,
+        off: &[],
     };
     compile_input(&input, &CompileOptions::default())
 }

@@ -1,0 +1,138 @@
+//! From a word of a buffer to what people call it.
+
+use crate::plan::{Count, Plan, buffer};
+
+/// One word of a buffer that differs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Element {
+    /// Index of the record: of the particle, the pixel, the system, the word of bits.
+    pub record: usize,
+    /// Name of the field, e.g. `position.x`; empty where records are single words.
+    pub field: &'static str,
+    /// Index of the word among the buffer's.
+    pub word: usize,
+    /// Pixel from the left and from the top, where records are pixels.
+    pub pixel: Option<(u32, u32)>,
+    /// Whether the word holds a float.
+    pub is_float: bool,
+    /// The word as expected; `None` where the buffer ends before it.
+    pub expected: Option<u32>,
+    /// The word as it was got; `None` where the buffer ends before it.
+    pub got: Option<u32>,
+}
+
+/// Fields a word each, floats marked.
+type Fields = &'static [(&'static str, bool)];
+
+const PARTICLE: Fields = &[
+    ("position.x", true),
+    ("position.y", true),
+    ("position.z", true),
+    ("index", false),
+    ("velocity.x", true),
+    ("velocity.y", true),
+    ("velocity.z", true),
+    ("slot_and_birth_frame", false),
+];
+
+const COUNTS: Fields = &[
+    ("live", false),
+    ("requested", false),
+    ("born", false),
+    ("dropped", false),
+    ("total", false),
+    ("died", false),
+    ("spare_a", false),
+    ("spare_b", false),
+];
+
+const FRAME_STATS: Fields = &[
+    ("frame", false),
+    ("requested", false),
+    ("born", false),
+    ("died", false),
+    ("live", false),
+    ("dropped", false),
+    ("spare_a", false),
+    ("spare_b", false),
+];
+
+const CHANNELS: Fields = &[("red", false), ("green", false), ("blue", false)];
+
+const WORD: Fields = &[("", false)];
+
+/// The fields of a buffer's records.
+fn fields(name: &str) -> Fields {
+    let Some(declared) = buffer(name) else { return WORD };
+    match (declared.record, declared.count) {
+        ("Particle", _) => PARTICLE,
+        ("Counts", _) => COUNTS,
+        ("FrameStats", _) => FRAME_STATS,
+        (_, Count::Pixels(3)) => CHANNELS,
+        _ => WORD,
+    }
+}
+
+/// What stands at `word` of the buffer.
+pub(super) fn element(
+    plan: &Plan,
+    name: &str,
+    word: usize,
+    expected: &[u32],
+    got: &[u32],
+) -> Element {
+    let fields = fields(name);
+    let record = word / fields.len();
+    let (field, is_float) = fields[word % fields.len()];
+    let is_picture =
+        buffer(name).is_some_and(|declared| matches!(declared.count, Count::Pixels(_)));
+    let across = plan.width.max(1) as usize;
+    let pixel = is_picture.then_some(((record % across) as u32, (record / across) as u32));
+    Element {
+        record,
+        field,
+        word,
+        pixel,
+        is_float,
+        expected: expected.get(word).copied(),
+        got: got.get(word).copied(),
+    }
+}
+
+impl std::fmt::Display for Element {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { record, field, pixel, is_float, expected, got, .. } = self;
+        write!(f, "record {record}")?;
+        if let Some((x, y)) = pixel {
+            write!(f, " (pixel {x}, {y})")?;
+        }
+        if !field.is_empty() {
+            write!(f, ", {field}")?;
+        }
+        let value = |word: &Option<u32>| match word {
+            None => "nothing: there is no such record".to_owned(),
+            Some(bits) if *is_float => format!("{bits:#010x} ({:e})", f32::from_bits(*bits)),
+            Some(bits) => format!("{bits:#010x} ({bits})"),
+        };
+        write!(f, ": expected {}, got {}", value(expected), value(got))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::{BUFFERS, BufferRole};
+
+    #[test]
+    fn every_word_of_a_state_record_has_a_name() {
+        for declared in BUFFERS.iter().filter(|buffer| buffer.role == BufferRole::State) {
+            let words = declared.stride as usize / 4;
+            let fields = fields(declared.name);
+            match declared.count {
+                Count::Pixels(channels) => assert_eq!(fields.len(), channels as usize),
+                _ => assert_eq!(fields.len(), words, "{}", declared.name),
+            }
+            assert!(words == 1 || fields.iter().all(|(name, _)| !name.is_empty()));
+        }
+    }
+}

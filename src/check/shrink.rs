@@ -1,0 +1,87 @@
+//! A scene made small enough to be checked in seconds, with all that makes it what it is.
+
+use crate::plan::{Plan, PlanError};
+use crate::scene::Scene;
+
+/// Most particles alive at once in a shrunk scene, about.
+const MOST_PARTICLES: u32 = 20_000;
+
+/// A shrunk picture fits in this, pixels.
+const MOST_WIDTH: u32 = 320;
+/// See [`MOST_WIDTH`].
+const MOST_HEIGHT: u32 = 180;
+
+/// Frames that are enough where nothing lives long.
+const FEW_FRAMES: u32 = 48;
+
+/// Frames after the first deaths of old age.
+const FRAMES_AFTER_DEATHS: u32 = 12;
+
+/// Frames after the first births that are enough whatever happens later.
+const MANY_FRAMES: u32 = 160;
+
+/// Factors are tried until one fits; the bound on particles is nearly linear in births, so few
+/// are needed.
+const MOST_TRIES: u32 = 16;
+
+/// How many frames show births and deaths of every system: at least 48, at most 160 from the first
+/// births on, and no more than the scene lasts.
+pub fn default_frames(scene: &Scene) -> u32 {
+    let first_frames = || scene.systems.iter().map(|system| system.first_frame);
+    let (first, last) = (first_frames().min().unwrap_or(0), first_frames().max().unwrap_or(0));
+    let longest_life = scene
+        .systems
+        .iter()
+        .map(|system| (system.lifetime.mean + system.lifetime.var).ceil() as u32)
+        .fold(0, u32::max);
+    let enough = (last + longest_life + FRAMES_AFTER_DEATHS).clamp(FEW_FRAMES, first + MANY_FRAMES);
+    scene.frames.min(enough)
+}
+
+/// The scene with a picture that fits in 320×180 and fewer births, so that about 20,000 particles
+/// are alive at once at most in its first `frames` frames. A scene that is small enough keeps its
+/// births. Depends on nothing but its arguments.
+///
+/// # Errors
+/// The scene cannot be planned however few its births.
+pub fn shrunk(scene: &Scene, frames: u32) -> Result<Scene, PlanError> {
+    let mut small = scene.clone();
+    small.frames = frames;
+    let image = &mut small.image;
+    let fit = f64::min(
+        f64::from(MOST_WIDTH) / f64::from(image.width),
+        f64::from(MOST_HEIGHT) / f64::from(image.height),
+    );
+    if fit < 1.0 {
+        let side = |pixels: u32| ((f64::from(pixels) * fit) as u32).max(1);
+        (image.width, image.height) = (side(image.width), side(image.height));
+    }
+    let mut factor = 1.0f64;
+    for _ in 0..MOST_TRIES {
+        // The scene's own capacity says nothing about how many there will be.
+        let unbounded = Scene { capacity: None, ..with_births(&small, factor, scene.capacity) };
+        factor *= match Plan::new(&unbounded, frames) {
+            Ok(plan) if plan.capacity <= MOST_PARTICLES => break,
+            // A little further than the proportion, for the bound counts whole particles.
+            Ok(plan) => 0.95 * f64::from(MOST_PARTICLES) / f64::from(plan.capacity),
+            Err(_) => 1.0 / 1024.0,
+        };
+    }
+    let small = with_births(&small, factor, scene.capacity);
+    Plan::new(&small, frames).map(|_| small)
+}
+
+/// The scene with its births, and its capacity if it has one, times `factor`.
+fn with_births(scene: &Scene, factor: f64, capacity: Option<u32>) -> Scene {
+    let mut scaled = scene.clone();
+    let times = |value: f32| (f64::from(value) * factor) as f32;
+    for system in &mut scaled.systems {
+        let births = &mut system.births;
+        births.initial_mean_parts = times(births.initial_mean_parts);
+        births.delta_mean_parts = times(births.delta_mean_parts);
+        births.var_parts = times(births.var_parts);
+    }
+    // What was dropped for want of room is still dropped, in proportion.
+    scaled.capacity = capacity.map(|most| ((f64::from(most) * factor) as u32).max(1));
+    scaled
+}

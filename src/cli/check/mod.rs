@@ -1,0 +1,212 @@
+//! `motes check`: whether an adapter makes the same bits as the processor, or as another adapter.
+
+mod json;
+mod junit;
+mod side;
+#[cfg(test)]
+mod tests;
+
+use std::path::PathBuf;
+use std::time::Instant;
+
+use super::render::progress_bar;
+use super::{CliError, print};
+use crate::check::{self, CompareOptions, Outcome, SavedFor, compare, default_frames, shrunk};
+use crate::output::write_whole;
+use crate::plan::Plan;
+use crate::scene::{self, BUILTIN};
+use side::Side;
+
+/// Arguments of `motes check`.
+#[derive(Debug, clap::Args)]
+pub(super) struct CheckArgs {
+    /// TOML files, or names of built-in scenes [default: every built-in scene]
+    #[arg(value_name = "SCENE")]
+    scenes: Vec<String>,
+    /// Frames of each scene, from 0 [default: enough to see births and deaths; all with --full]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    frames: Option<u32>,
+    /// The adapter under test: auto, cpu, or part of an adapter's name
+    #[arg(long, value_name = "A", env = "MOTES_ADAPTER", default_value = "auto")]
+    adapter: String,
+    /// What it is compared with: cpu, or part of an adapter's name
+    #[arg(long, value_name = "A", default_value = "cpu")]
+    against: String,
+    /// Scenes as they are; without it, at most 320x180 and about 20,000 particles
+    #[arg(long)]
+    full: bool,
+    /// Save what differs in a folder here: kernels, inputs, expected and got
+    #[arg(long, value_name = "DIR")]
+    save: Option<PathBuf>,
+    /// Write the results as JSON
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Write the results as JUnit XML
+    #[arg(long, value_name = "FILE")]
+    junit: Option<PathBuf>,
+}
+
+/// A scene, ready to be run on any side.
+struct Job {
+    /// As the user called it.
+    asked: String,
+    name: String,
+    plan: Plan,
+    frames: u32,
+}
+
+/// What became of a scene.
+struct Checked {
+    scene: String,
+    duration_secs: f64,
+    /// The message of a machine that failed.
+    outcome: Result<Outcome, String>,
+    saved: Option<PathBuf>,
+}
+
+/// The whole run, for its reports.
+struct Report {
+    tested: Side,
+    against: Side,
+    scenes: Vec<Checked>,
+}
+
+impl Report {
+    fn is_equal(&self) -> bool {
+        self.scenes.iter().all(|checked| checked.outcome.as_ref().is_ok_and(Outcome::is_equal))
+    }
+}
+
+pub(super) fn run(args: &CheckArgs) -> Result<u8, CliError> {
+    let jobs = jobs(args)?;
+    let (tested, against) = side::both(&args.adapter, &args.against)?;
+    check_all(args, &jobs, tested, against)
+}
+
+/// Checks the scenes and writes the reports; the exit code.
+fn check_all(
+    args: &CheckArgs,
+    jobs: &[Job],
+    tested: Side,
+    against: Side,
+) -> Result<u8, CliError> {
+    eprintln!("motes: checking {} against {}", tested.name(), against.name());
+    let mut report = Report { tested, against, scenes: Vec::new() };
+    let mut failure = None;
+    for job in jobs {
+        if let Err(error) = check_scene(args, job, &mut report) {
+            failure = Some(error);
+            break;
+        }
+    }
+    // Whoever reads the reports is to see the failure, too.
+    if let Some(path) = &args.json {
+        write_whole(path, json::json(&report).as_bytes())?;
+    }
+    if let Some(path) = &args.junit {
+        write_whole(path, junit::junit(&report).as_bytes())?;
+    }
+    match failure {
+        Some(error) => Err(error),
+        None => Ok(u8::from(!report.is_equal())),
+    }
+}
+
+/// Reads and plans every scene before the first is run.
+fn jobs(args: &CheckArgs) -> Result<Vec<Job>, CliError> {
+    let asked = if args.scenes.is_empty() {
+        BUILTIN.iter().map(|scene| scene.name.to_owned()).collect()
+    } else {
+        args.scenes.clone()
+    };
+    asked
+        .into_iter()
+        .map(|asked| {
+            let mut scene = scene::load(&asked)?;
+            let all = if args.full { scene.frames } else { default_frames(&scene) };
+            let frames = args.frames.unwrap_or(all);
+            if !args.full {
+                scene = shrunk(&scene, frames)?;
+            }
+            let plan = Plan::new(&scene, frames)?;
+            Ok(Job { asked, name: scene.name, plan, frames })
+        })
+        .collect()
+}
+
+/// Checks one scene, tells about it and puts it into the report.
+fn check_scene(args: &CheckArgs, job: &Job, report: &mut Report) -> Result<(), CliError> {
+    let bar = progress_bar(job.frames);
+    let begun = Instant::now();
+    let result = compare(
+        &job.plan,
+        &mut || report.against.start(&job.plan),
+        &mut || report.tested.start(&job.plan),
+        &CompareOptions { frames: job.frames, record: args.save.is_some() },
+        &mut |_| bar.inc(1),
+    );
+    bar.finish_and_clear();
+    let duration_secs = begun.elapsed().as_secs_f64();
+    let scene = job.name.clone();
+    let outcome = match result {
+        Ok(outcome) => outcome,
+        Err(error) => {
+            let outcome = Err(error.to_string());
+            report.scenes.push(Checked { scene, duration_secs, outcome, saved: None });
+            return Err(error.into());
+        }
+    };
+    let mut text = line(&scene, &outcome);
+    let mut saved = Ok(None);
+    if let Some(difference) = &outcome.difference {
+        for line in difference.to_string().lines() {
+            text += &format!("    {line}\n");
+        }
+        saved = args.save.as_deref().map(|folder| {
+            check::save(folder, difference, &SavedFor {
+                scene: &scene,
+                tested: &report.tested.description(),
+                against: &report.against.description(),
+                command: &command(args, job),
+            })
+        }).transpose();
+        if let Ok(Some(path)) = &saved {
+            text += &format!("    saved:   {}\n", path.display());
+        }
+    }
+    if outcome.most_particles == 0 {
+        eprintln!("motes: no particle of {scene} ever lived: take more --frames");
+    }
+    let checked = Checked {
+        scene,
+        duration_secs,
+        outcome: Ok(outcome),
+        saved: saved.as_ref().ok().cloned().flatten(),
+    };
+    report.scenes.push(checked);
+    print(&text)?;
+    saved.map(|_| ()).map_err(CliError::from)
+}
+
+/// The scene's line on standard output.
+fn line(scene: &str, outcome: &Outcome) -> String {
+    let Outcome { frames, most_particles, state_digest, image_digest, dropped, .. } = outcome;
+    let verdict = if outcome.is_equal() { "equal" } else { "DIFFERS" };
+    let dropped = match dropped {
+        0 => String::new(),
+        births => format!("  ({births} births dropped)"),
+    };
+    format!(
+        "{scene:<16} {frames:>4} frames  {most_particles:>9} particles  state {state_digest:016x}  \
+         image {image_digest:016x}  {verdict}{dropped}\n"
+    )
+}
+
+/// The command that checks this scene again.
+fn command(args: &CheckArgs, job: &Job) -> String {
+    let full = if args.full { " --full" } else { "" };
+    format!(
+        "motes check '{}' --frames {} --adapter '{}' --against '{}'{full}",
+        job.asked, job.frames, args.adapter, args.against
+    )
+}

@@ -1,0 +1,151 @@
+//! Kernels one by one, to ask a driver what it does: alone, on buffers of the caller's making, or in
+//! a run, with a look at the buffers between one and the next.
+
+use super::GpuBackend;
+use super::adapter::GpuDevice;
+use super::commands::STAGE_KERNELS;
+use super::dispatch::dispatch_for;
+use super::kernel::Kernel;
+use super::readback;
+use super::readback::StatisticsRing;
+use super::shader::{Access, CompiledKernel};
+use crate::backend::BackendError;
+use crate::plan::FrameInputs;
+
+/// In which form a driver gets a kernel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum KernelForm {
+    /// [`CompiledKernel::spirv`], word by word.
+    Spirv,
+    /// [`CompiledKernel::wgsl`], which wgpu translates; nothing keeps the driver from contracting.
+    Wgsl,
+}
+
+impl GpuDevice {
+    /// Runs `kernel` once and returns what it left in its one read-write buffer, which starts
+    /// zeroed and holds `output_words`. Its other bindings get `inputs`, in order. At least
+    /// `invocations` of it run: the kernel bounds its own index.
+    ///
+    /// # Errors
+    /// The kernel's bindings do not fit `inputs`, it takes immediates, or the device fails.
+    pub fn run_kernel(
+        &self,
+        kernel: &CompiledKernel,
+        form: KernelForm,
+        inputs: &[&[u32]],
+        output_words: usize,
+        invocations: u32,
+    ) -> Result<Vec<u32>, BackendError> {
+        let is_output = |access| access == Access::ReadWrite;
+        let outputs = kernel.bindings.iter().filter(|b| is_output(b.access)).count();
+        if outputs != 1 || kernel.bindings.len() != inputs.len() + 1 || kernel.immediate_size != 0 {
+            return Err(BackendError::Unsupported(format!(
+                "kernel `{}` with {} bindings, {outputs} of them read-write, and {} bytes of \
+                 immediates cannot be run on {} inputs and one output",
+                kernel.name,
+                kernel.bindings.len(),
+                kernel.immediate_size,
+                inputs.len()
+            )));
+        }
+        let compiled = Kernel::unchecked_bindings(self, kernel, form, true)?;
+        let zeros = vec![0; output_words];
+        let mut inputs = inputs.iter();
+        let mut output = None;
+        let mut buffers = Vec::new();
+        for binding in &kernel.bindings {
+            let words: &[u32] = if is_output(binding.access) {
+                &zeros
+            } else {
+                inputs.next().copied().unwrap_or_default()
+            };
+            let buffer = self.filled(&binding.name, binding.access, words);
+            if is_output(binding.access) {
+                output = Some(buffer.clone());
+            }
+            buffers.push(buffer);
+        }
+        let entries: Vec<_> = kernel
+            .bindings
+            .iter()
+            .zip(&buffers)
+            .map(|(binding, buffer)| wgpu::BindGroupEntry {
+                binding: binding.binding,
+                resource: buffer.as_entire_binding(),
+            })
+            .collect();
+        let group = self.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some(&kernel.name),
+            layout: &compiled.layout,
+            entries: &entries,
+        });
+        let mut encoder = self.device.create_command_encoder(&Default::default());
+        {
+            let mut pass = encoder.begin_compute_pass(&Default::default());
+            pass.set_pipeline(&compiled.pipeline);
+            pass.set_bind_group(0, &group, &[]);
+            let (x, y) = dispatch_for(invocations, kernel.workgroup_size[0]);
+            pass.dispatch_workgroups(x, y, 1);
+        }
+        self.queue.submit([encoder.finish()]);
+        match output {
+            Some(output) => readback::words(self, &output, output_words as u64 * 4),
+            None => Ok(Vec::new()),
+        }
+    }
+
+    fn filled(&self, name: &str, access: Access, words: &[u32]) -> wgpu::Buffer {
+        use wgpu::BufferUsages as Usage;
+        let kind = if access == Access::Uniform { Usage::UNIFORM } else { Usage::STORAGE };
+        let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some(name),
+            size: (words.len() as u64 * 4).next_multiple_of(16).max(16),
+            usage: kind | Usage::COPY_DST | Usage::COPY_SRC,
+            mapped_at_creation: false,
+        });
+        self.queue.write_buffer(&buffer, 0, bytemuck::cast_slice(words));
+        buffer
+    }
+}
+
+impl GpuBackend {
+    /// Runs one kernel's dispatches of one frame and waits for them. All kernels of
+    /// [`STAGE_KERNELS`] one after the other make the frame that stepping and drawing make.
+    ///
+    /// # Errors
+    /// No stage has such a kernel, or the device fails.
+    pub fn run_kernel(&mut self, kernel: &str, inputs: &FrameInputs) -> Result<(), BackendError> {
+        let Some(found) = STAGE_KERNELS.iter().find(|other| other.kernel == kernel) else {
+            return Err(BackendError::Unsupported(format!("no stage has a kernel `{kernel}`")));
+        };
+        self.submit_kernels(&[found.stage], |other| other == kernel, inputs)?;
+        self.gpu.wait()
+    }
+
+    /// The plan's run from its beginning, with every buffer zero. Kernels of the names of
+    /// `changed`, which must bind the same, are replaced.
+    ///
+    /// # Errors
+    /// The driver refuses a kernel, or the device fails.
+    pub fn restart(
+        &mut self,
+        changed: &[(&CompiledKernel, /* checked */ bool)],
+    ) -> Result<(), BackendError> {
+        for (compiled, checked) in changed {
+            let kernel = Kernel::new(&self.gpu, compiled, *checked)?;
+            if let Some(place) = self.kernels.get_mut(compiled.name.as_str()) {
+                *place = kernel;
+            }
+        }
+        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+        for buffer in self.memory.all() {
+            encoder.clear_buffer(buffer, 0, None);
+        }
+        self.gpu.queue.submit([encoder.finish()]);
+        self.current = 0;
+        self.newborns_present = false;
+        self.ring = StatisticsRing::default();
+        self.in_flight.clear();
+        self.gpu.wait()
+    }
+}

@@ -1,0 +1,315 @@
+//! Wrong scenes and wrong command lines: the exit code says whose fault it is, the message names the
+//! place and what would be right, and nothing is left behind.
+
+use crate::{Ended, Workplace};
+
+/// Runs the program, which must end with `code`, say all of `said` on standard error, print nothing,
+/// and leave the folder's files as they were.
+fn refused(workplace: &Workplace, arguments: &[&str], code: i32, said: &[&str]) -> Ended {
+    let before = workplace.files();
+    let ended = workplace.run(arguments);
+    let told = format!("motes {}\n{}", arguments.join(" "), ended.stderr);
+    assert_eq!(ended.code, code, "{told}");
+    assert!(
+        ended.stderr.starts_with("error: ") || ended.stderr.contains("\nerror: "),
+        "{told}"
+    );
+    for words in said {
+        assert!(
+            ended.stderr.contains(words),
+            "`{words}` is not said by {told}"
+        );
+    }
+    assert_eq!(ended.stdout, "", "{told}");
+    assert_eq!(workplace.files(), before, "{told}");
+    ended
+}
+
+/// As [`refused`], rendering `sparks.toml` on the processor; the input is at fault.
+fn render_refused(workplace: &Workplace, arguments: &[&str], said: &[&str]) {
+    let all = [&["render", "sparks.toml", "--adapter", "cpu"], arguments].concat();
+    refused(workplace, &all, 2, said);
+}
+
+#[test]
+fn an_unknown_scene_is_answered_with_the_nearest_name() {
+    let here = Workplace::new();
+    refused(
+        &here,
+        &["render", "firework"],
+        2,
+        &["`firework`", "did you mean fireworks?"],
+    );
+    refused(
+        &here,
+        &["render", "zzzzzz"],
+        2,
+        &["`zzzzzz`", "fireworks", "fountain"],
+    );
+    refused(
+        &here,
+        &["render", "missing.toml"],
+        2,
+        &["missing.toml", "No such file"],
+    );
+    refused(
+        &here,
+        &["scenes", "--show", "fontain"],
+        2,
+        &["`fontain`", "fountain"],
+    );
+}
+
+#[test]
+fn a_wrong_scene_file_is_answered_with_file_line_and_column() {
+    let here = Workplace::new();
+    let wrong_files: &[(&str, &[&str])] = &[
+        (
+            "title = \"x\"\nframes = = 3\n",
+            &["not TOML", "wrong.toml:2:10", "2 | frames = = 3"],
+        ),
+        (
+            "title = \"x\"\n\nfrmaes = 3\n",
+            &["`frmaes`", "wrong.toml:3:1", "did you mean `frames`?"],
+        ),
+        ("frames = \"three\"\n", &["`frames`", "wrong.toml:1:10"]),
+        ("frames = -1\n", &["`frames`", "wrong.toml:1:10"]),
+    ];
+    for (text, said) in wrong_files {
+        here.write("wrong.toml", text);
+        refused(
+            &here,
+            &["render", "wrong.toml", "--adapter", "cpu"],
+            2,
+            said,
+        );
+    }
+    here.write("wrong.toml", b"title = \"\xff\"\n");
+    refused(
+        &here,
+        &["render", "wrong.toml"],
+        2,
+        &["UTF-8", "wrong.toml:1:10"],
+    );
+    let scene_with = crate::SPARKS.replace("speed = {", "sped = {");
+    here.write("wrong.toml", scene_with);
+    refused(
+        &here,
+        &["render", "wrong.toml"],
+        2,
+        &["`sped`", "wrong.toml:18:1", "`speed`"],
+    );
+}
+
+#[test]
+fn wrong_arguments_are_named_with_what_would_be_right() {
+    let here = Workplace::new();
+    render_refused(&here, &["--wobble"], &["'--wobble'"]);
+    render_refused(&here, &["--sizes", "3x3"], &["'--sizes'", "'--size'"]);
+    for frames in [
+        "5..2",
+        "5..5",
+        "5",
+        "a..b",
+        "..",
+        "-1..2",
+        "0..99999999999",
+        "0..1000001",
+    ] {
+        render_refused(
+            &here,
+            &[&format!("--frames={frames}")],
+            &["--frames", "A..B", "0..48"],
+        );
+    }
+    for size in ["12", "12x", "x12", "12x12x12", "12.5x3", "-4x4"] {
+        render_refused(
+            &here,
+            &[&format!("--size={size}")],
+            &["--size", "WxH", "1280x720"],
+        );
+    }
+    render_refused(&here, &["--size", "0x5"], &["`image.width`", "from 1 to"]);
+    render_refused(
+        &here,
+        &["--size", "5x99999"],
+        &["`image.height`", "from 1 to"],
+    );
+    render_refused(&here, &["--frame", "1000000"], &["1000000", "below"]);
+    render_refused(
+        &here,
+        &["--frame", "1", "--frames", "0..2"],
+        &["--frame", "--frames"],
+    );
+    render_refused(&here, &["--seed=-1"], &["--seed"]);
+    refused(&here, &["fly"], 2, &["'fly'"]);
+    refused(&here, &["render"], 2, &["<SCENE>"]);
+}
+
+#[test]
+fn a_wrong_set_is_shown_with_its_place() {
+    let here = Workplace::new();
+    render_refused(
+        &here,
+        &["--set", "camera.vertical_fov=3"],
+        &[
+            "`vertical_fov`",
+            "vertical_fov_degrees",
+            "--set camera.vertical_fov=3",
+        ],
+    );
+    render_refused(&here, &["--set", "system.0.sped=3"], &["`sped`", "`speed`"]);
+    render_refused(&here, &["--set", "system.3.speed=3"], &["system.3.speed=3"]);
+    render_refused(&here, &["--set", "seed"], &["no `=`"]);
+    render_refused(&here, &["--set", "frames=0"], &["`frames`", "from 1 to"]);
+}
+
+#[test]
+fn an_unknown_adapter_is_answered_with_those_there_are() {
+    let here = Workplace::new();
+    let arguments = [
+        "render",
+        "sparks.toml",
+        "--adapter",
+        "no-such-adapter",
+        "-o",
+        "a.gif",
+    ];
+    refused(&here, &arguments, 2, &["`no-such-adapter`", "cpu"]);
+    let mut command = here.command(&["render", "sparks.toml", "-o", "a.gif"]);
+    let ended = Ended::of(command.env("MOTES_ADAPTER", "no-such-adapter").output());
+    assert_eq!(ended.code, 2, "{}", ended.stderr);
+    assert!(
+        ended.stderr.contains("`no-such-adapter`"),
+        "{}",
+        ended.stderr
+    );
+}
+
+#[test]
+fn an_output_that_cannot_be_is_refused_before_the_run() {
+    let here = Workplace::new();
+    for ending in ["mp4", "exr", "svg"] {
+        let out = format!("a.{ending}");
+        render_refused(
+            &here,
+            &["-o", &out],
+            &[&out, "does not write", "yet", ".gif"],
+        );
+    }
+    render_refused(&here, &["-o", "a.jpg"], &["a.jpg", "does not write .jpg"]);
+    render_refused(&here, &["-o", "a.png"], &["a.png", "10", "--frame"]);
+    render_refused(&here, &["-o", "a-%04d.gif"], &["a-%04d.gif"]);
+    render_refused(&here, &["-o", "a-%q.png"], &["a-%q.png", "%04d"]);
+    render_refused(
+        &here,
+        &["-o", "sparks.toml/a"],
+        &["sparks.toml/a", "is a file"],
+    );
+    std::fs::create_dir(here.path("folder.gif")).expect("a temporary folder can be written");
+    render_refused(&here, &["-o", "folder.gif"], &["folder.gif", "folder"]);
+}
+
+#[test]
+fn a_dump_outside_the_frames_is_refused_before_the_run() {
+    let here = Workplace::new();
+    render_refused(&here, &["--dump", "10"], &["frame 10", "0..10", "--frames"]);
+    render_refused(
+        &here,
+        &["--frames", "2..4", "--dump", "2,3,4"],
+        &["frame 4", "2..4"],
+    );
+    render_refused(&here, &["--dump", "1,x"], &["--dump", "'x'"]);
+}
+
+#[test]
+fn a_wrong_recording_is_answered_with_file_and_line() {
+    let here = Workplace::new();
+    let wrong_recordings: &[(&str, &[&str])] = &[
+        (
+            "# a comment\n\n2 system.0.speed=0.2\nnonsense\n",
+            &["changes.txt:4", "`nonsense`"],
+        ),
+        (
+            "two system.0.speed=0.2\n",
+            &["changes.txt:1", "frame number"],
+        ),
+        ("2 system.0.speed\n", &["changes.txt:1", "`=`"]),
+        (
+            "2 system.0.speed=1\n1 system.0.speed=2\n",
+            &["changes.txt:2", "before"],
+        ),
+        (
+            "2 system.0.sped=0.2\n",
+            &["changes.txt", "`sped`", "system.0.sped=0.2", "`speed`"],
+        ),
+    ];
+    for (text, said) in wrong_recordings {
+        here.write("changes.txt", text);
+        render_refused(&here, &["--inputs", "changes.txt"], said);
+    }
+    render_refused(
+        &here,
+        &["--inputs", "none.txt"],
+        &["none.txt", "No such file"],
+    );
+}
+
+#[test]
+fn what_fails_on_the_way_leaves_nothing_half_written() {
+    let here = Workplace::new();
+    // The dump's folder is a file, which is found out at frame 3.
+    let dump = ["--dump", "3", "--dump-dir", "sparks.toml/dump"];
+    let out = ["-o", "a.gif", "--stats", "s.csv"];
+    render_refused(
+        &here,
+        &[&out[..], &dump[..]].concat(),
+        &["sparks.toml/dump", "is a file"],
+    );
+    // What stood there before still stands there.
+    here.write("a.gif", "precious");
+    render_refused(
+        &here,
+        &[&out[..], &dump[..]].concat(),
+        &["sparks.toml/dump"],
+    );
+    assert_eq!(here.read("a.gif"), b"precious");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_machine_that_refuses_to_write_ends_in_exit_code_3() {
+    let here = Workplace::new();
+    let render = ["render", "sparks.toml", "--adapter", "cpu", "--frame", "0"];
+    // The kernel's own tree takes no files, from nobody.
+    let on = |more: &[&'static str]| [&render[..], more].concat();
+    refused(
+        &here,
+        &on(&["-o", "/sys/motes.png"]),
+        3,
+        &["/sys/motes.png", "you may write to"],
+    );
+    refused(
+        &here,
+        &on(&["-o", "/sys/motes"]),
+        3,
+        &["/sys/motes", "you may write to"],
+    );
+    refused(
+        &here,
+        &on(&["-o", "/sys/motes.gif"]),
+        3,
+        &["/sys/motes.gif"],
+    );
+    // A disk that is always full.
+    let ended = here.run(&on(&["-o", "a.png", "--stats", "/dev/full"]));
+    assert_eq!(ended.code, 3, "{}", ended.stderr);
+    assert!(
+        ended
+            .stderr
+            .contains("/dev/full: cannot write: No space left"),
+        "{}",
+        ended.stderr
+    );
+    assert!(ended.stderr.contains("make room"), "{}", ended.stderr);
+}

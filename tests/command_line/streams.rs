@@ -1,0 +1,168 @@
+//! Standard output is for what was asked for, standard error for all else.
+
+use std::fs::OpenOptions;
+
+use crate::{Ended, Workplace};
+
+#[test]
+fn render_tells_on_standard_error_where_it_ran_and_what_it_wrote() {
+    let here = Workplace::new();
+    let ended = here.render(&["-o", "a.gif"]);
+    assert_eq!(ended.stdout, "");
+    let lines: Vec<_> = ended.stderr.lines().collect();
+    // No progress bar in a pipe, so these two lines are all.
+    assert_eq!(lines.len(), 2, "{}", ended.stderr);
+    assert!(
+        lines[0].starts_with("motes: sparks on cpu ("),
+        "{}",
+        lines[0]
+    );
+    assert_eq!(lines[1], "motes: wrote a.gif");
+}
+
+#[test]
+fn without_a_vulkan_driver_auto_takes_the_processor_and_says_so() {
+    let here = Workplace::new();
+    let driverless = |arguments: &[&str]| {
+        let mut command = here.command(arguments);
+        for variable in ["VK_DRIVER_FILES", "VK_ICD_FILENAMES", "VK_ADD_DRIVER_FILES"] {
+            command.env_remove(variable);
+        }
+        Ended::of(
+            command
+                .env("VK_DRIVER_FILES", "/nonexistent/icd.json")
+                .output(),
+        )
+    };
+    let ended = driverless(&["render", "sparks.toml", "-o", "auto.gif"]);
+    assert_eq!(ended.code, 0, "{}", ended.stderr);
+    assert!(
+        ended.stderr.contains("motes: sparks on cpu ("),
+        "{}",
+        ended.stderr
+    );
+    here.render(&["-o", "cpu.gif"]);
+    assert_eq!(here.read("auto.gif"), here.read("cpu.gif"));
+    let ended = driverless(&["adapters"]);
+    assert_eq!(ended.code, 0, "{}", ended.stderr);
+    assert!(ended.stdout.starts_with("* cpu\n"), "{}", ended.stdout);
+}
+
+#[test]
+fn the_variable_means_the_same_as_the_argument_and_the_argument_wins() {
+    let here = Workplace::new();
+    let with_variable = |value: &str, arguments: &[&str]| {
+        Ended::of(here.command(arguments).env("MOTES_ADAPTER", value).output())
+    };
+    let ended = with_variable("CPU", &["render", "sparks.toml", "-o", "a.gif"]);
+    assert!(ended.stderr.contains(" on cpu "), "{}", ended.stderr);
+    let arguments = ["render", "sparks.toml", "-o", "a.gif", "--adapter", "cpu"];
+    let ended = with_variable("no-such-adapter", &arguments);
+    assert_eq!(ended.code, 0, "{}", ended.stderr);
+}
+
+#[test]
+fn lists_go_to_standard_output_alone() {
+    let here = Workplace::new();
+    let scenes = here.run(&["scenes"]);
+    assert_eq!((scenes.code, scenes.stderr.as_str()), (0, ""));
+    for name in ["fireworks", "fountain", "million"] {
+        assert!(
+            scenes.stdout.lines().any(|line| line.starts_with(name)),
+            "{}",
+            scenes.stdout
+        );
+    }
+    let adapters = here.run(&["adapters"]);
+    assert_eq!(adapters.code, 0, "{}", adapters.stderr);
+    assert!(
+        adapters.stdout.contains(" cpu\n    processor, cpu, motes "),
+        "{}",
+        adapters.stdout
+    );
+    let json = here.run(&["adapters", "--json"]);
+    assert!(
+        json.stdout.starts_with("[\n") && json.stdout.ends_with("]\n"),
+        "{}",
+        json.stdout
+    );
+    assert!(
+        json.stdout
+            .contains("{\"name\": \"cpu\", \"driver\": \"motes "),
+        "{}",
+        json.stdout
+    );
+}
+
+#[test]
+fn help_and_version_go_to_standard_output_and_no_arguments_is_a_wrong_use() {
+    let here = Workplace::new();
+    let version = here.run(&["--version"]);
+    assert_eq!((version.code, version.stderr.as_str()), (0, ""));
+    assert_eq!(
+        version.stdout,
+        concat!("motes ", env!("CARGO_PKG_VERSION"), "\n")
+    );
+    let help = here.run(&["render", "--help"]);
+    assert_eq!((help.code, help.stderr.as_str()), (0, ""));
+    let arguments = [
+        "--output",
+        "--frames",
+        "--frame",
+        "--size",
+        "--seed",
+        "--adapter",
+        "--stats",
+        "--dump",
+        "--dump-dir",
+        "--set",
+        "--inputs",
+    ];
+    for argument in arguments {
+        assert!(
+            help.stdout.contains(argument),
+            "no {argument} in\n{}",
+            help.stdout
+        );
+    }
+    let nothing = here.run(&[]);
+    assert_eq!((nothing.code, nothing.stdout.as_str()), (2, ""));
+    assert!(
+        nothing.stderr.contains("Usage: motes"),
+        "{}",
+        nothing.stderr
+    );
+}
+
+#[test]
+fn a_built_in_scene_can_be_shown_saved_and_rendered_from_the_file() {
+    let here = Workplace::new();
+    let shown = here.run(&["scenes", "--show", "fountain"]);
+    assert_eq!((shown.code, shown.stderr.as_str()), (0, ""));
+    here.write("mine.toml", &shown.stdout);
+    let small = ["--adapter", "cpu", "--size", "64x36", "--frame", "40", "-o"];
+    for (scene, out) in [("fountain", "builtin.png"), ("mine.toml", "file.png")] {
+        let ended = here.run(&[&["render", scene], &small[..], &[out]].concat());
+        assert_eq!(ended.code, 0, "{}", ended.stderr);
+    }
+    assert_eq!(here.read("builtin.png"), here.read("file.png"));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn standard_output_that_cannot_be_written_is_told_with_exit_code_3() {
+    let here = Workplace::new();
+    let full = OpenOptions::new()
+        .write(true)
+        .open("/dev/full")
+        .expect("Linux has /dev/full");
+    let ended = Ended::of(here.command(&["scenes"]).stdout(full).output());
+    assert_eq!(ended.code, 3, "{}", ended.stderr);
+    assert!(
+        ended
+            .stderr
+            .starts_with("error: standard output cannot be written"),
+        "{}",
+        ended.stderr
+    );
+}

@@ -1,0 +1,142 @@
+//! Inputs that no scene would give: extreme, random, and legal for the backends all the same.
+
+use motes::exact::snap;
+use motes::layout::{SystemFrame, SystemRow};
+use motes::plan::{FrameInputs, Plan, Turn};
+
+use super::{hash, scene_of};
+
+/// Random numbers in the order that they are asked for.
+struct Dice(u32);
+
+impl Dice {
+    fn word(&mut self) -> u32 {
+        self.0 = self.0.wrapping_add(1);
+        hash(self.0)
+    }
+
+    fn below(&mut self, end: u32) -> u32 {
+        (u64::from(self.word()) * u64::from(end) >> 32) as u32
+    }
+
+    /// Uniform in -1 .. 1.
+    fn signed(&mut self) -> f32 {
+        (self.word() >> 8) as f32 / 8_388_608.0 - 1.0
+    }
+
+    /// Most often within `usual`; one in four has any magnitude from 2^-45 to `most`, and one in
+    /// sixteen is zero.
+    fn extreme(&mut self, usual: f32, most: f32) -> f32 {
+        let x = self.signed();
+        let value = match self.below(16) {
+            0 => 0.0,
+            1..4 => {
+                let span = most.log2() + 45.0;
+                let exponent = self.below(span as u32 + 1) as i32 - 45;
+                x.signum() * (1.0 + x.abs()) * 0.5 * 2f32.powi(exponent)
+            }
+            _ => x * usual,
+        };
+        snap(value)
+    }
+
+    /// As [`Dice::extreme`], never negative.
+    fn magnitude(&mut self, usual: f32, most: f32) -> f32 {
+        self.extreme(usual, most).abs()
+    }
+}
+
+const SYSTEMS: u32 = 6;
+
+/// A plan of six systems with room for 2,600 particles and 96 × 54 pixels, and `count` frames of
+/// hand-made inputs that begin at frame `first`: transforms, speeds, sizes and accelerations from
+/// 2^-45 to 10^9, births from none to more than fit, rows that change every frame.
+pub(crate) fn adversarial(seed: u32, first: u32, count: u32) -> (Plan, Vec<FrameInputs>) {
+    let systems: String = (0..SYSTEMS)
+        .map(|slot| {
+            format!(
+                "[[system]]\nname = \"s{slot}\"\ninitial_mean_parts = 1\nspeed = 1\n\
+                 generation_shape = {{ kind = \"sphere\", radius = 1 }}\nlifetime = 7\n\
+                 color = [1, 1, 1]\nsize = 1\n"
+            )
+        })
+        .collect();
+    let scene = scene_of(&format!(
+        "capacity = 2600\n[image]\nwidth = 96\nheight = 54\n[camera]\nposition = [0, 0, 5]\n\
+         target = [0, 0, 0]\n{systems}"
+    ));
+    // A turn, so that rows are kept for eight frames.
+    let turns = [Turn { frame: 1, scene: scene.clone() }];
+    let plan = Plan::with_turns(&scene, &turns, 8).expect("the scene can be planned");
+    let mut dice = Dice(seed.wrapping_mul(0x0100_0000));
+    let frames = (0..count)
+        .map(|at| {
+            let mut inputs = plan.inputs(at);
+            inputs.frame.frame = first.wrapping_add(at);
+            inputs.frame.shutter = dice.magnitude(1.0, 4.0);
+            inputs.frame.near = snap(dice.magnitude(1.0, 16.0).max(1e-6));
+            inputs.frame.focal_px *= 1.0 + dice.signed() * 0.9;
+            inputs.frame.background = [0; 4].map(|_: u32| dice.magnitude(0.2, 1.0));
+            inputs.systems = (0..SYSTEMS).map(|slot| system_frame(&mut dice, seed, slot)).collect();
+            inputs.rows = (0..SYSTEMS).map(|_| system_row(&mut dice)).collect();
+            inputs
+        })
+        .collect();
+    (plan, frames)
+}
+
+fn system_frame(dice: &mut Dice, seed: u32, slot: u32) -> SystemFrame {
+    let mut row = |axis: usize| {
+        let mut row = [0; 4].map(|_: u32| dice.extreme(0.5, 1e4));
+        row[axis] = snap(row[axis] + 1.0);
+        row
+    };
+    let (x, y, z) = (row(0), row(1), row(2));
+    SystemFrame {
+        world_from_system_x: x,
+        world_from_system_y: y,
+        world_from_system_z: z,
+        acceleration: [0; 4].map(|_: u32| dice.extreme(0.1, 1e9)),
+        mean_parts: match dice.below(24) {
+            0 => dice.extreme(1.0, 1e30),
+            1 => 0.0,
+            _ => dice.extreme(90.0, 500.0),
+        },
+        var_parts: dice.magnitude(40.0, 400.0),
+        key: hash(seed ^ slot << 20),
+        stochastic_rounding: dice.below(2),
+    }
+}
+
+fn system_row(dice: &mut Dice) -> SystemRow {
+    SystemRow {
+        shape: [
+            dice.magnitude(2.0, 1e6),
+            dice.magnitude(2.0, 1e6),
+            dice.magnitude(2.0, 1e6),
+            dice.signed(),
+        ],
+        speed_and_lifetime: [
+            dice.extreme(0.3, 1e9),
+            dice.magnitude(0.3, 1e4),
+            dice.extreme(6.0, 1e10),
+            dice.magnitude(4.0, 20.0),
+        ],
+        size_and_threshold: [
+            dice.magnitude(0.1, 1e4),
+            dice.magnitude(0.1, 1e4),
+            dice.extreme(0.01, 1e4),
+            dice.extreme(0.05, 1e3),
+        ],
+        color_mean: [
+            dice.magnitude(0.5, 1e3),
+            dice.magnitude(0.5, 1e3),
+            dice.magnitude(0.5, 1e3),
+            dice.magnitude(0.5, 1.0),
+        ],
+        color_var: [0; 4].map(|_: u32| dice.magnitude(0.5, 1e3)),
+        color_rate: [0; 4].map(|_: u32| dice.extreme(0.1, 1e3)),
+        // 3 is none of the shapes: what is not named is the last.
+        kinds: [dice.below(4), dice.below(4), dice.below(3), dice.word()],
+    }
+}

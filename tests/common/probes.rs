@@ -1,0 +1,321 @@
+//! Every function of the shared libraries, in WGSL and in Rust, to be evaluated on the same
+//! arguments by an adapter and by the processor.
+
+use glam::{UVec4, Vec2, Vec3, Vec4};
+use motes::cpu::light::{light_of, steps_of};
+use motes::exact::*;
+use motes::gpu::dispatch::dispatch_for;
+use motes::gpu::shader::{CompileOptions, CompiledKernel, ShaderError, compile_source};
+use motes::rng::{pcg4d, signed_float, signed4, unit_float, unit4};
+use motes::transcendental::*;
+
+use super::hash;
+
+/// The arguments of one invocation.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Arguments {
+    /// As they come from storage: finite and snapped. The last two stay near 1.
+    pub(crate) a: f32,
+    pub(crate) b: f32,
+    pub(crate) c: f32,
+    pub(crate) d: f32,
+    /// Any float but NaN: denormals, zeros of both signs, infinities.
+    pub(crate) p: f32,
+    pub(crate) q: f32,
+    /// Any 32 bits.
+    pub(crate) w: u32,
+    pub(crate) i: u32,
+}
+
+impl Arguments {
+    fn f(&self) -> f32 {
+        f32::from_bits(self.w)
+    }
+
+    fn abc(&self) -> Vec3 {
+        Vec3::new(self.a, self.b, self.c)
+    }
+
+    fn dcb(&self) -> Vec3 {
+        Vec3::new(self.d, self.c, self.b)
+    }
+
+    fn cdd(&self) -> Vec3 {
+        Vec3::new(self.c, self.d, self.d)
+    }
+
+    fn raw4(&self) -> Vec4 {
+        Vec4::new(self.p, self.q, self.f(), self.c)
+    }
+
+    fn words(&self) -> UVec4 {
+        UVec4::new(self.w, self.i, self.a.to_bits(), self.c.to_bits())
+    }
+}
+
+/// One word that both sides compute: an expression in WGSL and its twin.
+pub(crate) type Probe = (&'static str, fn(&Arguments) -> u32);
+
+/// A probe kernel: its name, what it imports, and its words.
+pub(crate) struct ProbeKernel {
+    pub(crate) name: &'static str,
+    imports: &'static str,
+    pub(crate) probes: &'static [Probe],
+}
+
+/// The snapped bits of a float, one pattern for all NaNs.
+fn bits(x: f32) -> u32 {
+    if x.is_nan() { 0x7fc0_0000 } else { bits_of(x) }
+}
+
+#[rustfmt::skip] // one probe a line
+pub(crate) static PROBES: &[ProbeKernel] = &[
+    ProbeKernel { name: "probe/exact", imports: "", probes: &[
+        ("bits(snap(f))", |r| bits(snap(r.f()))),
+        ("bits(snap2(raw.xy).y)", |r| bits(snap2(Vec2::new(r.p, r.q)).y)),
+        ("bits(snap3(raw.xyz).y)", |r| bits(snap3(Vec3::new(r.p, r.q, r.f())).y)),
+        ("bits(snap4(raw).w)", |r| bits(snap4(r.raw4()).w)),
+        ("bits(snap4(raw).x)", |r| bits(snap4(r.raw4()).x)),
+        // Of a NaN, each driver has its own bits.
+        ("bits_of(p)", |r| bits_of(r.p)),
+        ("u32(less(p, q))", |r| u32::from(less(r.p, r.q))),
+        ("u32(less(a, b))", |r| u32::from(less(r.a, r.b))),
+        ("u32(less_equal(p, q))", |r| u32::from(less_equal(r.p, r.q))),
+        ("u32(less_equal(a, b))", |r| u32::from(less_equal(r.a, r.b))),
+        ("bits(min_exact(p, q))", |r| bits(min_exact(r.p, r.q))),
+        ("bits(max_exact(p, q))", |r| bits(max_exact(r.p, r.q))),
+        ("bits(max_exact(a, b))", |r| bits(max_exact(r.a, r.b))),
+        ("bits(clamp_exact(a, -b, d))", |r| bits(clamp_exact(r.a, -r.b, r.d))),
+        ("bits(clamp_exact(c, 0.0f, 1.0f))", |r| bits(clamp_exact(r.c, 0.0, 1.0))),
+        ("bits(min3(abc, dcb).x)", |r| bits(min3(r.abc(), r.dcb()).x)),
+        ("bits(min3(abc, dcb).y)", |r| bits(min3(r.abc(), r.dcb()).y)),
+        ("bits(min3(abc, dcb).z)", |r| bits(min3(r.abc(), r.dcb()).z)),
+        ("bits(max3(abc, dcb).x)", |r| bits(max3(r.abc(), r.dcb()).x)),
+        ("bits(max3(abc, dcb).y)", |r| bits(max3(r.abc(), r.dcb()).y)),
+        ("bits(max3(abc, dcb).z)", |r| bits(max3(r.abc(), r.dcb()).z)),
+        ("bits(clamp3(abc, dcb, cdd).y)", |r| bits(clamp3(r.abc(), r.dcb(), r.cdd()).y)),
+        ("bits(clamp3(abc, dcb, cdd).z)", |r| bits(clamp3(r.abc(), r.dcb(), r.cdd()).z)),
+        ("bits(floor_exact(p))", |r| bits(floor_exact(r.p))),
+        ("bits(floor_exact(c))", |r| bits(floor_exact(r.c))),
+        ("u32(to_i32(f))", |r| to_i32(r.f()).cast_unsigned()),
+        ("u32(to_i32(c))", |r| to_i32(r.c).cast_unsigned()),
+        ("bits(f32_of_i32(i32(i)))", |r| bits(f32_of_i32(r.i.cast_signed()))),
+        ("bits(f32_of_u32(i))", |r| bits(f32_of_u32(r.i))),
+        ("bits(reciprocal(f))", |r| bits(reciprocal(r.f()))),
+        ("bits(reciprocal(c))", |r| bits(reciprocal(r.c))),
+        ("bits(inverse_square_root(f))", |r| bits(inverse_square_root(r.f()))),
+        ("bits(inverse_square_root(c))", |r| bits(inverse_square_root(r.c))),
+        ("bits(square_root(f))", |r| bits(square_root(r.f()))),
+        ("bits(square_root(d))", |r| bits(square_root(r.d))),
+        ("bits(dot3(abc, dcb))", |r| bits(dot3(r.abc(), r.dcb()))),
+        ("bits(dot3(cdd, dcb))", |r| bits(dot3(r.cdd(), r.dcb()))),
+        ("bits(cross3(abc, dcb).x)", |r| bits(cross3(r.abc(), r.dcb()).x)),
+        ("bits(cross3(abc, dcb).y)", |r| bits(cross3(r.abc(), r.dcb()).y)),
+        ("bits(cross3(abc, dcb).z)", |r| bits(cross3(r.abc(), r.dcb()).z)),
+        ("bits(length3(abc))", |r| bits(length3(r.abc()))),
+        ("bits(length3(cdd))", |r| bits(length3(r.cdd()))),
+        ("bits(length3(vec3f(b, d, a)))", |r| bits(length3(Vec3::new(r.b, r.d, r.a)))),
+        ("bits(normalize_exact(abc).x)", |r| bits(normalize_exact(r.abc()).x)),
+        ("bits(normalize_exact(cdd).x)", |r| bits(normalize_exact(r.cdd()).x)),
+        ("bits(normalize_exact(cdd).z)", |r| bits(normalize_exact(r.cdd()).z)),
+        ("bits(normalize_exact(vec3f(c, d, a)).y)", |r| bits(normalize_exact(Vec3::new(r.c, r.d, r.a)).y)),
+    ] },
+    ProbeKernel { name: "probe/transcendental", imports: "#import motes::transcendental::{\
+        sin_turns, cos_turns, exp2_exact, log2_exact, cube_root}", probes: &[
+        ("bits(sin_turns(c))", |r| bits(sin_turns(r.c))),
+        ("bits(sin_turns(d * 0.01f))", |r| bits(sin_turns(r.d * 0.01))),
+        ("bits(sin_turns(a))", |r| bits(sin_turns(r.a))),
+        ("bits(cos_turns(c))", |r| bits(cos_turns(r.c))),
+        ("bits(cos_turns(b))", |r| bits(cos_turns(r.b))),
+        ("bits(exp2_exact(c))", |r| bits(exp2_exact(r.c))),
+        ("bits(exp2_exact(a))", |r| bits(exp2_exact(r.a))),
+        ("bits(log2_exact(a))", |r| bits(log2_exact(r.a))),
+        ("bits(log2_exact(abs(d)))", |r| bits(log2_exact(r.d.abs()))),
+        ("bits(cube_root(a))", |r| bits(cube_root(r.a))),
+        ("bits(cube_root(abs(c)))", |r| bits(cube_root(r.c.abs()))),
+    ] },
+    ProbeKernel { name: "probe/integers", imports: "\
+        #import motes::rng::{pcg4d, unit_float, signed_float, unit4, signed4}\n\
+        #import motes::dispatch::{dispatch_for, linear_index}\n\
+        #import motes::light::{light_of, steps_of}", probes: &[
+        ("pcg4d(words).x", |r| pcg4d(r.words()).x),
+        ("pcg4d(words).y", |r| pcg4d(r.words()).y),
+        ("pcg4d(words).z", |r| pcg4d(r.words()).z),
+        ("pcg4d(words).w", |r| pcg4d(r.words()).w),
+        ("bits(unit_float(i))", |r| bits(unit_float(r.i))),
+        ("bits(signed_float(w))", |r| bits(signed_float(r.w))),
+        ("bits(unit4(words).x)", |r| bits(unit4(r.words()).x)),
+        ("bits(unit4(words).y)", |r| bits(unit4(r.words()).y)),
+        ("bits(unit4(words).z)", |r| bits(unit4(r.words()).z)),
+        ("bits(unit4(words).w)", |r| bits(unit4(r.words()).w)),
+        ("bits(signed4(words).x)", |r| bits(signed4(r.words()).x)),
+        ("bits(signed4(words).y)", |r| bits(signed4(r.words()).y)),
+        ("bits(signed4(words).z)", |r| bits(signed4(r.words()).z)),
+        ("bits(signed4(words).w)", |r| bits(signed4(r.words()).w)),
+        // Fewer than 2^32 less a workgroup, in workgroups of 8 to 256.
+        ("dispatch_for(i >> 1u, 8u).x", |r| dispatch_for(r.i >> 1, 8).0),
+        ("dispatch_for(i >> 1u, 8u).y", |r| dispatch_for(r.i >> 1, 8).1),
+        ("dispatch_for(i >> 1u, 256u).y", |r| dispatch_for(r.i >> 1, 256).1),
+        ("dispatch_for(i >> 20u, 64u).x", |r| dispatch_for(r.i >> 20, 64).0),
+        ("dispatch_for(i >> 20u, 64u).z", |r| u32::from(r.i >> 20 > 0)),
+        ("linear_index(vec3u(w & 0xffffffu, i & 7u, 0u), 64u)",
+            |r| (r.w & 0xff_ffff) + (r.i & 7) * 32_768 * 64),
+        ("steps_of(c)", |r| steps_of(r.c)),
+        ("steps_of(a)", |r| steps_of(r.a)),
+        ("bits(light_of(w, i))", |r| bits(light_of(r.w, r.i))),
+        ("bits(light_of(w, i >> 28u))", |r| bits(light_of(r.w, r.i >> 28))),
+    ] },
+];
+
+impl ProbeKernel {
+    /// The kernel's text: words in, words out, `probes.len()` an invocation.
+    pub(crate) fn text(&self) -> String {
+        let count = self.probes.len();
+        let stores: String = self
+            .probes
+            .iter()
+            .enumerate()
+            .map(|(at, (expression, _))| format!("    output[at + {at}u] = {expression};\n"))
+            .collect();
+        format!(
+            "#import motes::exact::{{bits_of, clamp3, clamp_exact, cross3, dot3, f32_of_i32, \
+             f32_of_u32, floor_exact, inverse_square_root, length3, less, less_equal, max3, \
+             max_exact, min3, min_exact, normalize_exact, reciprocal, snap, snap2, snap3, snap4, \
+             square_root, to_i32}}
+{}
+@group(0) @binding(0) var<storage, read> input: array<vec4<u32>>;
+@group(0) @binding(1) var<storage, read_write> output: array<u32>;
+
+fn bits(x: f32) -> u32 {{
+    let b = bits_of(x);
+    return select(b, 0x7fc00000u, (b & 0x7fffffffu) > 0x7f800000u);
+}}
+
+@compute @workgroup_size(#{{WORKGROUP_SIZE}})
+fn probe(@builtin(global_invocation_id) id: vec3<u32>) {{
+    if id.x * 2u + 1u >= arrayLength(&input) {{ return; }}
+    let first = input[id.x * 2u];
+    let second = input[id.x * 2u + 1u];
+    let a = bitcast<f32>(first.x);
+    let b = bitcast<f32>(first.y);
+    let c = bitcast<f32>(first.z);
+    let d = bitcast<f32>(first.w);
+    let p = bitcast<f32>(second.x);
+    let q = bitcast<f32>(second.y);
+    let w = second.z;
+    let f = bitcast<f32>(w);
+    let i = second.w;
+    let abc = vec3f(a, b, c);
+    let dcb = vec3f(d, c, b);
+    let cdd = vec3f(c, d, d);
+    let raw = vec4f(p, q, f, c);
+    let words = vec4u(w, i, first.x, first.z);
+    let at = id.x * {count}u;
+{stores}}}
+",
+            self.imports
+        )
+    }
+
+    /// The kernel, compiled.
+    ///
+    /// # Errors
+    /// A change made the module invalid.
+    pub(crate) fn compile(&self, options: &CompileOptions) -> Result<CompiledKernel, ShaderError> {
+        compile_source(self.name, &self.text(), options)
+    }
+
+    /// What the processor makes of the arguments.
+    pub(crate) fn expected(&self, arguments: &[Arguments]) -> Vec<u32> {
+        let of = |one| self.probes.iter().map(move |(_, twin)| twin(one));
+        arguments.iter().flat_map(of).collect()
+    }
+
+    /// The first word that differs, for people.
+    pub(crate) fn difference(
+        &self,
+        arguments: &[Arguments],
+        got: &[u32],
+        expected: &[u32],
+    ) -> Option<String> {
+        let at = got.iter().zip(expected).position(|(got, expected)| got != expected)?;
+        let count = self.probes.len();
+        Some(format!(
+            "{} at {:x?}: got {:#010x}, expected {:#010x}",
+            self.probes[at % count].0,
+            arguments[at / count],
+            got[at],
+            expected[at]
+        ))
+    }
+}
+
+/// `count` sets of arguments: every pair of awkward values first, then random bit patterns.
+pub(crate) fn arguments(count: u32) -> Vec<Arguments> {
+    let awkward = awkward();
+    let len = awkward.len() as u32;
+    (0..count)
+        .map(|at| {
+            let random = |stream: u32| hash(at.wrapping_mul(16).wrapping_add(stream));
+            let awkward = |index: u32| awkward[(index % len) as usize];
+            let is_special = at < len * len;
+            let raw = |stream: u32, index: u32| {
+                let x = if is_special { awkward(index) } else { f32::from_bits(random(stream)) };
+                if x.is_nan() { f32::from_bits(x.to_bits() & 0x803f_ffff) } else { x }
+            };
+            let stored = |x: f32| snap(x.clamp(f32::MIN, f32::MAX));
+            // Exponents -12 ..= 11 of 2, and multiples of 1/8: turns and powers of interest.
+            let moderate = |stream: u32| {
+                let word = random(stream);
+                match word % 8 {
+                    0 => (word >> 20) as f32 * 0.125 - 256.0,
+                    _ => f32::from_bits(word & 0x807f_ffff | (115 + (word >> 3) % 24) << 23),
+                }
+            };
+            let a = stored(raw(0, at / len));
+            let next = |x: f32| f32::from_bits(x.to_bits().wrapping_add(random(1) % 3).wrapping_sub(1));
+            Arguments {
+                a,
+                b: if is_special || random(2) % 2 == 0 {
+                    stored(raw(3, at))
+                } else {
+                    stored(if a == 0.0 { 0.0 } else { next(a) })
+                },
+                c: moderate(4),
+                d: moderate(5),
+                p: raw(6, at / len),
+                q: raw(7, at),
+                w: if is_special { awkward(at).to_bits() } else { random(8) },
+                i: match random(9) % 4 {
+                    0 => (1 << 24) + random(10) % 5 - 2,
+                    1 => (random(10) % 9).wrapping_sub(4) << (random(10) >> 27),
+                    _ => random(10),
+                },
+            }
+        })
+        .collect()
+}
+
+/// Floats that trip conversions and comparisons.
+fn awkward() -> Vec<f32> {
+    let powers = [-149, -127, -126, -80, -41, -40, -39, -24, -1, 0, 1, 23, 24, 29, 30, 31, 32];
+    let large = [39, 40, 41, 59, 60, 61, 79, 80, 81, 100, 126, 127];
+    let positive = powers
+        .into_iter()
+        .chain(large)
+        .map(|n: i32| 2f64.powi(n) as f32)
+        .flat_map(|x| [x.next_down(), x, x.next_up()])
+        .chain([0.0, 0.5, 1.5, 2.5, 3.0, f32::MAX, f32::INFINITY, f32::NAN]);
+    positive.flat_map(|x| [x, -x]).collect()
+}
+
+/// The arguments as the kernels read them.
+pub(crate) fn words_of(arguments: &[Arguments]) -> Vec<u32> {
+    arguments
+        .iter()
+        .flat_map(|r| {
+            let floats = [r.a, r.b, r.c, r.d, r.p, r.q].map(f32::to_bits);
+            floats.into_iter().chain([r.w, r.i])
+        })
+        .collect()
+}

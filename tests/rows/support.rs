@@ -1,0 +1,260 @@
+//! Scenes in a few lines, runs on every backend, and pictures as sums of light.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use motes::backend::{Backend, BackendError};
+use motes::cpu::particle::{Appearance, Identity, appearance_of, identity_of, row_index};
+use motes::gpu::GpuOptions;
+use motes::layout::{FrameStats, Particle};
+use motes::plan::{FrameInputs, Plan, Stage};
+use motes::scene::Scene;
+use motes::simulation::{ParticleState, Simulation};
+
+use crate::common;
+
+/// At z = 0 a world unit is a pixel, and the origin is the middle of the picture: 64 pixels at
+/// 90 degrees from 32 units away.
+const PICTURE: &str = "image.width = 64
+    image.height = 64
+    camera.position = [0, 0, 32]
+    camera.target = [0, 0, 0]
+    camera.vertical_fov_degrees = 90";
+
+/// A point that stays where it is, one a frame.
+const SYSTEM: &str = "name = \"one\"
+    initial_mean_parts = 1
+    birth_rounding = \"nearest\"
+    generation_shape = { kind = \"sphere\", radius = 0 }
+    speed = 0
+    lifetime = 1000
+    color = [0.5, 0.25, 0.125]
+    size = 1";
+
+fn key_of(line: &str) -> &str {
+    line.split('=').next().unwrap_or_default().trim()
+}
+
+/// The lines, and those of `defaults` whose keys they do not have.
+fn over(defaults: &str, lines: &str) -> String {
+    // The two triples of births exclude each other.
+    let is_given = |default: &str| {
+        let default = key_of(default);
+        let replaces = |key: &str| key == default || key == format!("{default}_per_area");
+        lines.lines().any(|line| replaces(key_of(line)))
+    };
+    let kept = defaults.lines().filter(|line| !is_given(line));
+    kept.chain(lines.lines()).fold(String::new(), |text, line| text + line.trim() + "\n")
+}
+
+/// A scene of lines of TOML, a key each, over the defaults above: `picture` at the top, with
+/// dotted keys, and `systems` of a text each.
+pub(crate) fn scene(picture: &str, systems: &[&str]) -> Scene {
+    let mut text = over(PICTURE, picture);
+    for system in systems {
+        text += "[[system]]\n";
+        text += &over(SYSTEM, system);
+    }
+    common::scene_of(&text)
+}
+
+/// `cpu` and the adapters that tests must run on.
+pub(crate) fn backends() -> Vec<String> {
+    std::iter::once("cpu".to_owned()).chain(common::adapters()).collect()
+}
+
+/// Runs `test` on the processor and on every adapter.
+pub(crate) fn on_every_backend(test: impl Fn(&str)) {
+    for name in backends() {
+        println!("on {name}");
+        test(&name);
+    }
+}
+
+/// What a simulation asked its backend for: the frame, and `step` or `draw`.
+pub(crate) type Call = (u32, &'static str);
+
+/// A backend that a simulation and a test hold together.
+struct Held {
+    backend: Box<dyn Backend>,
+    calls: Vec<Call>,
+}
+
+#[derive(Clone)]
+struct Shared(Rc<RefCell<Held>>);
+
+impl Backend for Shared {
+    fn adapter_name(&self) -> String {
+        self.0.borrow().backend.adapter_name()
+    }
+
+    fn is_exact(&self) -> bool {
+        self.0.borrow().backend.is_exact()
+    }
+
+    fn run_stage(&mut self, stage: Stage, inputs: &FrameInputs) -> Result<(), BackendError> {
+        let mut held = self.0.borrow_mut();
+        held.calls.push((inputs.frame.frame, stage.info().name));
+        held.backend.run_stage(stage, inputs)
+    }
+
+    fn step(&mut self, inputs: &FrameInputs) -> Result<(), BackendError> {
+        let mut held = self.0.borrow_mut();
+        held.calls.push((inputs.frame.frame, "step"));
+        held.backend.step(inputs)
+    }
+
+    fn draw(&mut self, inputs: &FrameInputs) -> Result<(), BackendError> {
+        let mut held = self.0.borrow_mut();
+        held.calls.push((inputs.frame.frame, "draw"));
+        held.backend.draw(inputs)
+    }
+
+    fn read(&mut self, buffer: &str) -> Result<Vec<u32>, BackendError> {
+        self.0.borrow_mut().backend.read(buffer)
+    }
+
+    fn take_statistics(&mut self) -> Result<Vec<FrameStats>, BackendError> {
+        self.0.borrow_mut().backend.take_statistics()
+    }
+
+    fn state_digest(&mut self) -> Result<u64, BackendError> {
+        self.0.borrow_mut().backend.state_digest()
+    }
+
+    fn image_digest(&mut self) -> Result<u64, BackendError> {
+        self.0.borrow_mut().backend.image_digest()
+    }
+}
+
+/// A living particle: who, its state in the world, and what it looks like.
+#[derive(Clone, Debug)]
+pub(crate) struct Member {
+    pub(crate) who: Identity,
+    pub(crate) raw: Particle,
+    pub(crate) state: ParticleState,
+    pub(crate) at_birth: Appearance,
+    pub(crate) drawn: Appearance,
+}
+
+/// A simulation whose backend a test can read.
+pub(crate) struct Run {
+    pub(crate) simulation: Simulation,
+    backend: Shared,
+}
+
+impl Run {
+    /// A run of `scene`, for frames below `frame_end`, on `cpu` or the adapter of that name.
+    pub(crate) fn new(on: &str, scene: &Scene, frame_end: u32) -> Self {
+        Self::of_plan(on, Plan::new(scene, frame_end).expect("the scene can be planned"))
+    }
+
+    /// A run of `plan` on `cpu` or the adapter of that name.
+    pub(crate) fn of_plan(on: &str, plan: Plan) -> Self {
+        let backend: Box<dyn Backend> = match on {
+            "cpu" => Box::new(common::on_cpu(&plan)),
+            name => Box::new(common::on_gpu(&common::open(name), &plan, &GpuOptions::default())),
+        };
+        let backend = Shared(Rc::new(RefCell::new(Held { backend, calls: Vec::new() })));
+        Self { simulation: Simulation::with_backend(plan, Box::new(backend.clone())), backend }
+    }
+
+    /// Steps until `frame` has been stepped, from frame 0 if the run has not begun.
+    pub(crate) fn step_to(&mut self, frame: u32) {
+        while self.simulation.frame().is_none_or(|stepped| stepped < frame) {
+            self.simulation.step().expect("the backend steps");
+        }
+    }
+
+    /// The inputs of the last frame stepped.
+    fn inputs(&self) -> FrameInputs {
+        let frame = self.simulation.frame().expect("a frame has been stepped");
+        self.simulation.plan().inputs(frame)
+    }
+
+    /// The living.
+    pub(crate) fn members(&mut self) -> Vec<Member> {
+        let states = self.simulation.particles().expect("the state can be read");
+        let words = self.backend.read("particles").expect("the state can be read");
+        let inputs = self.inputs();
+        let mut rows = (inputs.frame.frame, inputs.rows.clone());
+        let member = |(raw, state): (Particle, ParticleState)| {
+            let (who, age) = identity_of(&raw, &inputs);
+            if rows.0 != who.birth_frame {
+                rows = (who.birth_frame, self.simulation.plan().inputs(who.birth_frame).rows);
+            }
+            let row = &rows.1[row_index(raw.slot(), 0, 0)];
+            let at_birth = appearance_of(who, row, 0);
+            Member { who, raw, state, at_birth, drawn: appearance_of(who, row, age + 1) }
+        };
+        let raws: Vec<Particle> = bytemuck::pod_collect_to_vec(&words);
+        assert_eq!(raws.len(), states.len());
+        raws.into_iter().zip(states).map(member).collect()
+    }
+
+    /// Statistics of the frames since the last call.
+    pub(crate) fn statistics(&mut self) -> Vec<FrameStats> {
+        self.simulation.take_statistics().expect("the statistics can be read")
+    }
+
+    /// Draws the last frame stepped, and reads the image.
+    pub(crate) fn image(&mut self) -> Vec<u8> {
+        self.simulation.draw().expect("the backend draws");
+        self.simulation.image().expect("the image can be read")
+    }
+
+    /// Draws the last frame stepped, and reads the sums of light before they are clamped.
+    pub(crate) fn light(&mut self) -> Light {
+        self.simulation.draw().expect("the backend draws");
+        let mut limbs = |name| self.backend.read(name).expect("the light can be read");
+        let (low, high) = (limbs("light_low"), limbs("light_high"));
+        let sum = |(low, high): (&u32, &u32)| u64::from(*low) | (u64::from(*high) << 32);
+        Light {
+            width: self.simulation.plan().width as usize,
+            steps: low.iter().zip(&high).map(sum).collect(),
+        }
+    }
+
+    /// What the simulation asked its backend for since the last call.
+    pub(crate) fn take_calls(&mut self) -> Vec<Call> {
+        std::mem::take(&mut self.backend.0.borrow_mut().calls)
+    }
+}
+
+/// The sums of light of an image, three channels a pixel, rows from the top.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Light {
+    pub(crate) width: usize,
+    /// Counts of 2^-20.
+    pub(crate) steps: Vec<u64>,
+}
+
+impl Light {
+    /// Light of a channel of the pixel at column `x`, row `y`.
+    pub(crate) fn at(&self, x: usize, y: usize, channel: usize) -> f64 {
+        self.steps[(y * self.width + x) * 3 + channel] as f64 / f64::from(1 << 20)
+    }
+
+    /// Every pixel's centre, in pixels from the left top corner, and its light in a channel.
+    pub(crate) fn pixels(&self, channel: usize) -> impl Iterator<Item = (f64, f64, f64)> + '_ {
+        let places = (0..self.steps.len() / 3).map(|at| (at % self.width, at / self.width));
+        places.map(move |(x, y)| (x as f64 + 0.5, y as f64 + 0.5, self.at(x, y, channel)))
+    }
+
+    /// All light of a channel.
+    pub(crate) fn total(&self, channel: usize) -> f64 {
+        self.pixels(channel).map(|(_, _, light)| light).sum()
+    }
+
+    /// Whether no light has fallen anywhere.
+    pub(crate) fn is_dark(&self) -> bool {
+        self.steps.iter().all(|&steps| steps == 0)
+    }
+}
+
+/// Fails unless `got` is within a `share` of `expected`.
+pub(crate) fn assert_within(what: &str, got: f64, expected: f64, share: f64) {
+    let off = got / expected - 1.0;
+    println!("{what}: {got:.5}, expected {expected:.5}, off by {:+.3} %", off * 100.0);
+    assert!(off.abs() <= share, "{what}: {got}, expected {expected}, off by {:+.3} %", off * 100.0);
+}

@@ -1,0 +1,82 @@
+#!/usr/bin/env bash
+# The whole test suite in one command: `bash tests/run.sh`, from any folder, as root or with sudo.
+#
+# On Debian it installs what is missing: a linker for Rust, Mesa's lavapipe, the validation layer,
+# and SwiftShader, which comes with chromium. With everything in place it needs no network for that.
+# Then format, lints, documentation and tests, GPU tests on both drivers required. It stops at the
+# first step that fails, names it, and ends with an exit code other than 0.
+set -Eeuo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+step="starting"
+trap 'echo "tests/run.sh: failed while $step" >&2' ERR
+
+begin() {
+    step=$1
+    echo "=== $step (${SECONDS} s)"
+}
+
+fail() {
+    echo "tests/run.sh: $*" >&2
+    exit 1
+}
+
+as_root() {
+    if [ "$(id -u)" = 0 ]; then
+        env DEBIAN_FRONTEND=noninteractive "$@"
+    elif command -v sudo >/dev/null; then
+        sudo env DEBIAN_FRONTEND=noninteractive "$@"
+    else
+        fail "$step needs root or sudo: $*"
+    fi
+}
+
+lavapipe_icd() {
+    find /usr/share/vulkan/icd.d -name 'lvp_icd*.json' 2>/dev/null | sort | head -n 1
+}
+
+swiftshader_icd() {
+    find /usr/lib/chromium /usr/share/vulkan/icd.d -name 'vk_swiftshader_icd.json' 2>/dev/null |
+        sort | head -n 1
+}
+
+begin "looking for what the tests need"
+command -v cargo >/dev/null ||
+    fail "there is no cargo: install Rust first, with rustup or otherwise"
+missing=()
+command -v cc >/dev/null || missing+=(gcc libc6-dev)
+[ -n "$(lavapipe_icd)" ] || missing+=(mesa-vulkan-drivers)
+ldconfig -p 2>/dev/null | grep -q 'libvulkan\.so\.1' ||
+    /sbin/ldconfig -p | grep -q 'libvulkan\.so\.1' || missing+=(libvulkan1)
+[ -e /usr/share/vulkan/explicit_layer.d/VkLayer_khronos_validation.json ] ||
+    missing+=(vulkan-validationlayers)
+[ -n "$(swiftshader_icd)" ] || missing+=(chromium)
+if [ "${#missing[@]}" -gt 0 ]; then
+    begin "installing ${missing[*]}"
+    command -v apt-get >/dev/null ||
+        fail "there is no apt-get here: install what Debian calls ${missing[*]}"
+    as_root apt-get update -q
+    as_root apt-get install -q -y --no-install-recommends "${missing[@]}"
+fi
+lavapipe=$(lavapipe_icd)
+swiftshader=$(swiftshader_icd)
+[ -n "$lavapipe" ] || fail "mesa-vulkan-drivers has brought no lvp_icd*.json"
+[ -n "$swiftshader" ] || fail "chromium has brought no vk_swiftshader_icd.json"
+export VK_DRIVER_FILES=$lavapipe:$swiftshader
+# Loaders before 1.3.207 know the variable by its old name.
+export VK_ICD_FILENAMES=$VK_DRIVER_FILES
+# Mesa's layer that picks a device would look for a Wayland session and complain that there is none.
+export NODEVICE_SELECT=1
+# Tests say themselves where they run.
+unset MOTES_ADAPTER
+echo "drivers: $VK_DRIVER_FILES"
+
+begin "cargo fmt --check"
+cargo fmt --check
+begin "cargo clippy"
+cargo clippy --locked --all-targets -- -D warnings
+begin "cargo doc"
+RUSTDOCFLAGS="-D warnings" cargo doc --locked --no-deps
+begin "cargo test"
+cargo test --locked
+begin "done"
