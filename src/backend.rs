@@ -50,6 +50,15 @@ impl std::fmt::Display for BackendError {
 
 impl std::error::Error for BackendError {}
 
+/// Bytes of memory that the system can still give, where it says so. Asking for more does not fail
+/// at once on most systems: it ends the process later, without a word.
+pub(crate) fn available_bytes() -> Option<u64> {
+    let text = std::fs::read_to_string("/proc/meminfo").ok()?;
+    let line = text.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
+    let kib: u64 = line.trim().trim_end_matches("kB").trim().parse().ok()?;
+    Some(kib * 1024)
+}
+
 /// A plan under way on some processor. Pools start empty.
 pub trait Backend {
     /// Name of the adapter, for people.

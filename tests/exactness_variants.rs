@@ -23,7 +23,9 @@ fn run(plan: &Plan, frames: u32, mut backend: impl Backend) -> Vec<Frame> {
             backend.step(&inputs).expect("the machine does not fail");
             backend.draw(&inputs).expect("the machine does not fail");
             (
-                backend.take_statistics().expect("the machine does not fail"),
+                backend
+                    .take_statistics()
+                    .expect("the machine does not fail"),
                 backend.state_digest().expect("the machine does not fail"),
                 backend.image_digest().expect("the machine does not fail"),
             )
@@ -42,11 +44,18 @@ fn everything() -> (Plan, Vec<Frame>) {
     let frames = run(&plan, scene.frames, cpu(&plan, None));
     let births: u32 = frames.iter().map(|(lines, ..)| lines[0].born).sum();
     let deaths: u32 = frames.iter().map(|(lines, ..)| lines[0].died).sum();
-    assert!(births > 5000 && deaths > 1000, "{births} births, {deaths} deaths");
+    assert!(
+        births > 5000 && deaths > 1000,
+        "{births} births, {deaths} deaths"
+    );
     let mut digests: Vec<u64> = frames.iter().flat_map(|&(_, a, b)| [a, b]).collect();
     digests.sort_unstable();
     digests.dedup();
-    assert_eq!(digests.len(), 2 * frames.len(), "frames differ from each other");
+    assert_eq!(
+        digests.len(),
+        2 * frames.len(),
+        "frames differ from each other"
+    );
     (plan, frames)
 }
 
@@ -62,29 +71,46 @@ fn assert_same(variants: impl IntoIterator<Item = GpuOptions<'static>>) {
             "workgroup {}, pages of {} bytes, checked: {}",
             options.workgroup_size, options.page_bytes, options.checked
         );
-        let got = run(&plan, expected.len() as u32, common::on_gpu(&device, &plan, &options));
+        let got = run(
+            &plan,
+            expected.len() as u32,
+            common::on_gpu(&device, &plan, &options),
+        );
         assert_eq!(got, expected, "{what}");
     }
 }
 
 #[test]
 fn workgroup_sizes_change_nothing() {
-    let of = |workgroup_size| GpuOptions { workgroup_size, ..GpuOptions::default() };
+    let of = |workgroup_size| GpuOptions {
+        workgroup_size,
+        ..GpuOptions::default()
+    };
     assert_same([64, 128, 256, 8].map(of));
 }
 
 #[test]
 fn pages_change_nothing() {
     let (plan, _) = everything();
-    assert!(u64::from(plan.capacity) * 32 > 2 * SMALL_PAGE, "too few particles for three pages");
-    let of = |page_bytes| GpuOptions { page_bytes, ..GpuOptions::default() };
+    assert!(
+        u64::from(plan.capacity) * 32 > 2 * SMALL_PAGE,
+        "too few particles for three pages"
+    );
+    let of = |page_bytes| GpuOptions {
+        page_bytes,
+        ..GpuOptions::default()
+    };
     // The last stands for as much as the adapter binds.
     assert_same([SMALL_PAGE, 1 << 20, 0].map(of));
 }
 
 #[test]
 fn checked_kernels_change_nothing() {
-    let of = |page_bytes| GpuOptions { page_bytes, checked: true, ..GpuOptions::default() };
+    let of = |page_bytes| GpuOptions {
+        page_bytes,
+        checked: true,
+        ..GpuOptions::default()
+    };
     assert_same([0, SMALL_PAGE].map(of));
 }
 
@@ -122,7 +148,10 @@ fn threads_change_nothing() {
 
 #[test]
 fn a_run_that_begins_late_is_the_whole_run() {
-    let scene = Scene { frames: 40, ..common::everything() };
+    let scene = Scene {
+        frames: 40,
+        ..common::everything()
+    };
     let plan = Plan::new(&scene, scene.frames).expect("the scene can be planned");
     let whole = run(&plan, scene.frames, cpu(&plan, None));
     let device = common::open(&common::adapters()[0]);
@@ -135,12 +164,22 @@ fn a_run_that_begins_late_is_the_whole_run() {
             let mut simulation = Simulation::with_backend(plan.clone(), backend);
             simulation.seek(frame).expect("the machine does not fail");
             simulation.draw().expect("the machine does not fail");
-            let state = simulation.state_digest().expect("the machine does not fail");
-            let image = simulation.image_digest().expect("the machine does not fail");
+            let state = simulation
+                .state_digest()
+                .expect("the machine does not fail");
+            let image = simulation
+                .image_digest()
+                .expect("the machine does not fail");
             let (_, whole_state, whole_image) = whole[frame as usize];
             let name = simulation.adapter_name();
-            assert_eq!((state, image), (whole_state, whole_image), "{frame} on {name}");
-            let line = simulation.take_statistics().expect("the machine does not fail");
+            assert_eq!(
+                (state, image),
+                (whole_state, whole_image),
+                "{frame} on {name}"
+            );
+            let line = simulation
+                .take_statistics()
+                .expect("the machine does not fail");
             let line = line.last().expect("frames were stepped");
             assert_eq!(*line, whole[frame as usize].0[0], "{frame} on {name}");
         }
@@ -152,7 +191,11 @@ fn every_built_in_scene_passes_check_on_every_adapter() {
     common::on_each_adapter(|adapter, device| {
         for builtin in BUILTIN {
             let scene = load(builtin.name).expect("it is built in");
-            let frames = if common::full() { scene.frames } else { default_frames(&scene) };
+            let frames = if common::full() {
+                scene.frames
+            } else {
+                default_frames(&scene)
+            };
             let scene = match common::full() {
                 true => scene,
                 false => shrunk(&scene, frames).expect("it can be planned"),
@@ -161,8 +204,17 @@ fn every_built_in_scene_passes_check_on_every_adapter() {
             let outcome = compare(
                 &plan,
                 &mut || Ok(Box::new(common::on_cpu(&plan))),
-                &mut || Ok(Box::new(common::on_gpu(device, &plan, &GpuOptions::default()))),
-                &CompareOptions { frames, record: false },
+                &mut || {
+                    Ok(Box::new(common::on_gpu(
+                        device,
+                        &plan,
+                        &GpuOptions::default(),
+                    )))
+                },
+                &CompareOptions {
+                    frames,
+                    record: false,
+                },
                 &mut |_| {},
             )
             .expect("the machine does not fail");
@@ -170,7 +222,11 @@ fn every_built_in_scene_passes_check_on_every_adapter() {
                 panic!("{} on {adapter}:\n{difference}", builtin.name);
             }
             assert_eq!(outcome.frames, frames, "{}", builtin.name);
-            assert!(outcome.most_particles > 1000, "{}: {outcome:?}", builtin.name);
+            assert!(
+                outcome.most_particles > 1000,
+                "{}: {outcome:?}",
+                builtin.name
+            );
         }
     });
 }

@@ -31,35 +31,54 @@ as_root() {
     fi
 }
 
-lavapipe_icd() {
-    find /usr/share/vulkan/icd.d -name 'lvp_icd*.json' 2>/dev/null | sort | head -n 1
+# The first file of that name in the folders; nothing where there is none. The name of lavapipe's
+# has the architecture in it.
+find_icd() {
+    local name=$1
+    shift
+    find "$@" -name "$name" 2>/dev/null | sort | head -n 1 || true
 }
 
-swiftshader_icd() {
-    find /usr/lib/chromium /usr/share/vulkan/icd.d -name 'vk_swiftshader_icd.json' 2>/dev/null |
-        sort | head -n 1
+find_icds() {
+    lavapipe=$(find_icd 'lvp_icd*.json' /usr/share/vulkan/icd.d)
+    swiftshader=$(find_icd vk_swiftshader_icd.json /usr/lib/chromium)
+}
+
+install() {
+    command -v apt-get >/dev/null || fail "no apt-get here: install what Debian calls $*"
+    as_root apt-get install -q -y --no-install-recommends "$@"
 }
 
 begin "looking for what the tests need"
 command -v cargo >/dev/null ||
     fail "there is no cargo: install Rust first, with rustup or otherwise"
+if ! { cargo fmt --version && cargo clippy --version; } >/dev/null 2>&1; then
+    # Rust's small profile comes without them.
+    begin "installing rustfmt and clippy"
+    rustup component add rustfmt clippy
+fi
+find_icds
 missing=()
 command -v cc >/dev/null || missing+=(gcc libc6-dev)
-[ -n "$(lavapipe_icd)" ] || missing+=(mesa-vulkan-drivers)
-ldconfig -p 2>/dev/null | grep -q 'libvulkan\.so\.1' ||
-    /sbin/ldconfig -p | grep -q 'libvulkan\.so\.1' || missing+=(libvulkan1)
+[ -n "$lavapipe" ] || missing+=(mesa-vulkan-drivers)
+case $(PATH=$PATH:/sbin:/usr/sbin ldconfig -p) in
+*libvulkan.so.1*) ;;
+*) missing+=(libvulkan1) ;;
+esac
 [ -e /usr/share/vulkan/explicit_layer.d/VkLayer_khronos_validation.json ] ||
     missing+=(vulkan-validationlayers)
-[ -n "$(swiftshader_icd)" ] || missing+=(chromium)
+# The driver lies in chromium-common, which is a third of chromium.
+[ -n "$swiftshader" ] || missing+=(chromium-common)
 if [ "${#missing[@]}" -gt 0 ]; then
     begin "installing ${missing[*]}"
-    command -v apt-get >/dev/null ||
-        fail "there is no apt-get here: install what Debian calls ${missing[*]}"
     as_root apt-get update -q
-    as_root apt-get install -q -y --no-install-recommends "${missing[@]}"
+    install "${missing[@]}"
+    find_icds
+    if [ -z "$swiftshader" ]; then
+        install chromium
+        find_icds
+    fi
 fi
-lavapipe=$(lavapipe_icd)
-swiftshader=$(swiftshader_icd)
 [ -n "$lavapipe" ] || fail "mesa-vulkan-drivers has brought no lvp_icd*.json"
 [ -n "$swiftshader" ] || fail "chromium has brought no vk_swiftshader_icd.json"
 export VK_DRIVER_FILES=$lavapipe:$swiftshader

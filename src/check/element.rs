@@ -63,7 +63,9 @@ const WORD: Fields = &[("", false)];
 
 /// The fields of a buffer's records.
 fn fields(name: &str) -> Fields {
-    let Some(declared) = buffer(name) else { return WORD };
+    let Some(declared) = buffer(name) else {
+        return WORD;
+    };
     match (declared.record, declared.count) {
         ("Particle", _) => PARTICLE,
         ("Counts", _) => COUNTS,
@@ -101,7 +103,15 @@ pub(super) fn element(
 
 impl std::fmt::Display for Element {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { record, field, pixel, is_float, expected, got, .. } = self;
+        let Self {
+            record,
+            field,
+            pixel,
+            is_float,
+            expected,
+            got,
+            ..
+        } = self;
         write!(f, "record {record}")?;
         if let Some((x, y)) = pixel {
             write!(f, " (pixel {x}, {y})")?;
@@ -125,7 +135,10 @@ mod tests {
 
     #[test]
     fn every_word_of_a_state_record_has_a_name() {
-        for declared in BUFFERS.iter().filter(|buffer| buffer.role == BufferRole::State) {
+        for declared in BUFFERS
+            .iter()
+            .filter(|buffer| buffer.role == BufferRole::State)
+        {
             let words = declared.stride as usize / 4;
             let fields = fields(declared.name);
             match declared.count {

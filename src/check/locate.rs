@@ -34,7 +34,8 @@ pub(super) fn locate(
         got.run_stage(info.stage, &inputs)?;
         expected.run_stage(info.stage, &inputs)?;
         if let Some(place) = compare_stage(plan, info, expected.as_mut(), got.as_mut())? {
-            let record = record.map(|(record, side)| with_dispatches(record, side.of(&mut expected, &mut got)));
+            let record = record
+                .map(|(record, side)| with_dispatches(record, side.of(&mut expected, &mut got)));
             return Ok(Some((place, record.transpose()?)));
         }
     }
@@ -81,7 +82,11 @@ fn with_dispatches(
     mut record: StageRecord,
     side: &mut dyn Backend,
 ) -> Result<StageRecord, BackendError> {
-    if let Some(dispatches) = record.buffers.iter_mut().find(|buffer| buffer.name == "dispatches") {
+    if let Some(dispatches) = record
+        .buffers
+        .iter_mut()
+        .find(|buffer| buffer.name == "dispatches")
+    {
         dispatches.words = side.read("dispatches")?;
     }
     Ok(record)
@@ -120,7 +125,15 @@ fn place(
     let differing_words = expected.iter().zip(&got).filter(|(a, b)| a != b).count()
         + expected.len().abs_diff(got.len());
     let element = element::element(plan, buffer, word, &expected, &got);
-    Some(Place { stage, buffer, element, differing_words, other_buffers: Vec::new(), expected, got })
+    Some(Place {
+        stage,
+        buffer,
+        element,
+        differing_words,
+        other_buffers: Vec::new(),
+        expected,
+        got,
+    })
 }
 
 /// All state is the same: what is made of it differs, if anything still does.
@@ -131,7 +144,13 @@ fn compare_digests(
 ) -> Result<Option<Place>, BackendError> {
     let lines = (expected.take_statistics()?, got.take_statistics()?);
     let words = |lines: Vec<_>| bytemuck::cast_slice(&lines).to_vec();
-    let statistics = place(plan, "advance", "statistics", words(lines.0), words(lines.1));
+    let statistics = place(
+        plan,
+        "advance",
+        "statistics",
+        words(lines.0),
+        words(lines.1),
+    );
     let halves = |digest: u64| [digest as u32, (digest >> 32) as u32];
     let digests = |side: &mut dyn Backend| {
         let both = [halves(side.state_digest()?), halves(side.image_digest()?)];

@@ -154,7 +154,12 @@ pub fn compare(
         let frame = outcome.frames - 1;
         let located = locate::locate(plan, expected()?, got()?, frame, options.record)?;
         let (place, record) = located.map_or((None, None), |(place, record)| (Some(place), record));
-        outcome.difference = Some(Difference { frame, sign, place, record });
+        outcome.difference = Some(Difference {
+            frame,
+            sign,
+            place,
+            record,
+        });
     }
     Ok(outcome)
 }

@@ -11,10 +11,16 @@ impl fmt::Display for Sign {
                 write!(f, "statistics: expected {expected:?}, got {got:?}")
             }
             Self::StateDigest(expected, got) => {
-                write!(f, "digest of the state: expected {expected:016x}, got {got:016x}")
+                write!(
+                    f,
+                    "digest of the state: expected {expected:016x}, got {got:016x}"
+                )
             }
             Self::ImageDigest(expected, got) => {
-                write!(f, "digest of the image: expected {expected:016x}, got {got:016x}")
+                write!(
+                    f,
+                    "digest of the image: expected {expected:016x}, got {got:016x}"
+                )
             }
         }
     }
@@ -24,7 +30,11 @@ impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = self.expected.len().max(self.got.len());
         writeln!(f, "stage:   {}", self.stage)?;
-        writeln!(f, "buffer:  {} ({} of {words} words differ)", self.buffer, self.differing_words)?;
+        writeln!(
+            f,
+            "buffer:  {} ({} of {words} words differ)",
+            self.buffer, self.differing_words
+        )?;
         write!(f, "element: {}", self.element)?;
         if self.expected.len() != self.got.len() {
             let (expected, got) = (self.expected.len(), self.got.len());

@@ -32,11 +32,20 @@ pub fn save(
     difference: &Difference,
     context: &SavedFor,
 ) -> Result<PathBuf, OutputError> {
-    let stage = difference.place.as_ref().map_or("unlocated", |place| place.stage);
+    let stage = difference
+        .place
+        .as_ref()
+        .map_or("unlocated", |place| place.stage);
     let scene: String = context
         .scene
         .chars()
-        .map(|c| if c.is_alphanumeric() || "-_".contains(c) { c } else { '-' })
+        .map(|c| {
+            if c.is_alphanumeric() || "-_".contains(c) {
+                c
+            } else {
+                '-'
+            }
+        })
         .take(64)
         .collect();
     let name = format!("{scene}-frame-{:04}-{stage}", difference.frame);
@@ -60,7 +69,10 @@ fn save_record(saved: &AtomicFolder, record: &StageRecord) -> Result<(), OutputE
         saved.write(&format!("kernels/{name}.wgsl"), kernel.wgsl.as_bytes())?;
     }
     for buffer in &record.buffers {
-        saved.write(&format!("inputs/{}.bin", buffer.name), &bytes(&buffer.words))?;
+        saved.write(
+            &format!("inputs/{}.bin", buffer.name),
+            &bytes(&buffer.words),
+        )?;
     }
     saved.write("dispatches.txt", dispatches(record).as_bytes())
 }
@@ -76,7 +88,12 @@ fn bytes(words: &[u32]) -> Vec<u8> {
 }
 
 fn readme(difference: &Difference, context: &SavedFor) -> String {
-    let SavedFor { scene, tested, against, command } = context;
+    let SavedFor {
+        scene,
+        tested,
+        against,
+        command,
+    } = context;
     let mut text = format!(
         "The same scene, run twice, came out differently.\n\n\
          Adapter under test: {tested}\n\
@@ -124,16 +141,21 @@ fn dispatches(record: &StageRecord) -> String {
     for (at, dispatch) in record.dispatches.iter().enumerate() {
         let name = &dispatch.kernel;
         let kernel = record.kernels.iter().find(|kernel| kernel.name == *name);
-        let (entry, size) = kernel
-            .map_or(("", [0; 3]), |kernel| (kernel.entry_point.as_str(), kernel.workgroup_size));
+        let (entry, size) = kernel.map_or(("", [0; 3]), |kernel| {
+            (kernel.entry_point.as_str(), kernel.workgroup_size)
+        });
         let (groups, source) = match dispatch.groups {
             Groups::Direct(groups) => (groups, "direct".to_owned()),
-            Groups::Listed(index) => {
-                (listed(record.buffer("dispatches"), index), format!("indirect, dispatches[{index}]"))
-            }
+            Groups::Listed(index) => (
+                listed(record.buffer("dispatches"), index),
+                format!("indirect, dispatches[{index}]"),
+            ),
         };
-        let immediates: Vec<String> =
-            dispatch.immediates.iter().map(|word| format!("{word:#010x}")).collect();
+        let immediates: Vec<String> = dispatch
+            .immediates
+            .iter()
+            .map(|word| format!("{word:#010x}"))
+            .collect();
         // Writing to a String cannot fail.
         let _ = write!(
             text,
@@ -146,7 +168,11 @@ fn dispatches(record: &StageRecord) -> String {
             groups[0],
             groups[1],
             groups[2],
-            if immediates.is_empty() { "none".to_owned() } else { immediates.join(" ") },
+            if immediates.is_empty() {
+                "none".to_owned()
+            } else {
+                immediates.join(" ")
+            },
         );
         for binding in &dispatch.bindings {
             let _ = writeln!(

@@ -28,7 +28,10 @@ const MOST_TRIES: u32 = 16;
 /// births on, and no more than the scene lasts.
 pub fn default_frames(scene: &Scene) -> u32 {
     let first_frames = || scene.systems.iter().map(|system| system.first_frame);
-    let (first, last) = (first_frames().min().unwrap_or(0), first_frames().max().unwrap_or(0));
+    let (first, last) = (
+        first_frames().min().unwrap_or(0),
+        first_frames().max().unwrap_or(0),
+    );
     let longest_life = scene
         .systems
         .iter()
@@ -59,7 +62,10 @@ pub fn shrunk(scene: &Scene, frames: u32) -> Result<Scene, PlanError> {
     let mut factor = 1.0f64;
     for _ in 0..MOST_TRIES {
         // The scene's own capacity says nothing about how many there will be.
-        let unbounded = Scene { capacity: None, ..with_births(&small, factor, scene.capacity) };
+        let unbounded = Scene {
+            capacity: None,
+            ..with_births(&small, factor, scene.capacity)
+        };
         factor *= match Plan::new(&unbounded, frames) {
             Ok(plan) if plan.capacity <= MOST_PARTICLES => break,
             // A little further than the proportion, for the bound counts whole particles.

@@ -128,7 +128,11 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
             ..Options::default()
         },
     )?;
-    eprintln!("motes: {} on {}", scene.name, simulation.adapter_name());
+    let adapter = simulation.adapter_name();
+    if AdapterChoice::parse(&args.adapter) == AdapterChoice::Auto && adapter.starts_with("cpu") {
+        eprintln!("motes: there is no graphics adapter here; the processor makes the same bits");
+    }
+    eprintln!("motes: {} on {adapter}", scene.name);
     let mut job = Job {
         sink: FrameSink::open(
             &target,

@@ -12,7 +12,7 @@ pub mod systems;
 
 use rayon::prelude::*;
 
-use crate::backend::{Backend, BackendError};
+use crate::backend::{Backend, BackendError, available_bytes};
 use crate::layout::{Counts, FrameStats, Particle, SystemRow};
 use crate::plan::{FrameInputs, Plan, Stage};
 use light::LightSums;
@@ -196,9 +196,13 @@ impl CpuBackend {
 
 /// Resizes a pool without aborting the program when memory runs out.
 fn grow(pool: &mut Vec<Particle>, len: usize) -> Result<(), BackendError> {
-    if let Some(more) = len.checked_sub(pool.len()) {
-        pool.try_reserve(more)
-            .map_err(|_| BackendError::OutOfMemory(format!("a pool of {len} particles")))?;
+    let failed = || BackendError::OutOfMemory(format!("a pool of {len} particles"));
+    if len > pool.capacity() {
+        let bytes = (len * size_of::<Particle>()) as u64;
+        if available_bytes().is_some_and(|available| bytes > available) {
+            return Err(failed());
+        }
+        pool.try_reserve(len - pool.len()).map_err(|_| failed())?;
     }
     pool.resize(len, Particle::default());
     Ok(())

@@ -50,12 +50,16 @@ pub fn check_binding(binding: &Binding) -> Result<(), String> {
 }
 
 impl Kernel {
-    pub(super) fn new(gpu: &GpuDevice, compiled: &CompiledKernel, checked: bool) -> Result<Self, BackendError> {
+    /// The kernel, once its bindings are found to be what Rust declares.
+    pub(super) fn new(
+        gpu: &GpuDevice,
+        compiled: &CompiledKernel,
+        form: KernelForm,
+        checked: bool,
+    ) -> Result<Self, BackendError> {
         for binding in &compiled.bindings {
             check_binding(binding).map_err(BackendError::Internal)?;
         }
-        let form =
-            if gpu.description.exact { KernelForm::Spirv } else { KernelForm::Wgsl };
         Self::unchecked_bindings(gpu, compiled, form, checked)
     }
 

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::adapter::GpuDevice;
-use crate::backend::BackendError;
+use crate::backend::{BackendError, available_bytes};
 use crate::layout::{Dispatch, Particle};
 use crate::plan::{BUFFERS, BufferRole, Count, Plan};
 
@@ -67,6 +67,9 @@ pub(super) struct Memory {
 impl Memory {
     /// Allocates everything, zeroed.
     pub(super) fn new(gpu: &GpuDevice, plan: &Plan, most_page_bytes: u64) -> Result<Self, BackendError> {
+        if gpu.description.kind == "software" {
+            check_available(plan)?;
+        }
         let limits = gpu.device.limits();
         let most_binding = limits.max_storage_buffer_binding_size;
         let paging = Paging::new(plan.capacity, most_page_bytes.min(most_binding));
@@ -135,6 +138,20 @@ impl Memory {
         encoder.clear_buffer(self.named("light_low")?, 0, None);
         encoder.clear_buffer(self.named("light_high")?, 0, None);
         Ok(())
+    }
+}
+
+/// A software adapter's memory is the system's.
+fn check_available(plan: &Plan) -> Result<(), BackendError> {
+    let needed = 2 * u64::from(plan.capacity) * PARTICLE_BYTES;
+    match available_bytes() {
+        Some(available) if needed > available => Err(BackendError::OutOfMemory(format!(
+            "two pools of {} particles take {} MiB, and {} MiB are available",
+            plan.capacity,
+            needed >> 20,
+            available >> 20
+        ))),
+        _ => Ok(()),
     }
 }
 

@@ -42,7 +42,7 @@ pub struct Mutation<'a> {
     pub change: &'a dyn Fn(&mut naga::Module),
 }
 
-/// How to run on a device. None of these changes a bit of the result.
+/// How to run on a device. None of these but `plain` changes a bit of the result.
 #[derive(Default)]
 pub struct GpuOptions<'a> {
     /// Invocations a workgroup, 8 ..= 256, a multiple of 8; 0 for the default of 256.
@@ -51,6 +51,9 @@ pub struct GpuOptions<'a> {
     pub page_bytes: u64,
     /// Whether kernels check their own indices and bound their loops.
     pub checked: bool,
+    /// Whether the adapter gets plain WGSL though it would take SPIR-V: what adapters that take
+    /// none get. This alone may change bits.
+    pub plain: bool,
     /// Whether kernels are timed, each in a pass of its own.
     pub timed: bool,
     /// A defect put in on purpose.
@@ -75,6 +78,7 @@ const FRAMES_IN_FLIGHT: usize = 3;
 /// The state of a run on a device.
 pub struct GpuBackend {
     gpu: GpuDevice,
+    exact: bool,
     memory: Memory,
     kernels: HashMap<&'static str, Kernel>,
     /// Dispatches by the pool that holds the particles, and by stage.
@@ -103,6 +107,8 @@ impl GpuBackend {
         let memory = Memory::new(gpu, plan, most_page_bytes)?;
         let mut kernels = HashMap::new();
         let off = switches_off(plan);
+        let exact = gpu.description.exact && !options.plain;
+        let form = if exact { KernelForm::Spirv } else { KernelForm::Wgsl };
         for source in shader::sources::KERNELS {
             let mutate = options
                 .mutation
@@ -114,10 +120,11 @@ impl GpuBackend {
                 &shader::CompileOptions { workgroup_size, checked: options.checked, off: &off, mutate },
             )
             .map_err(|e| BackendError::Internal(e.to_string()))?;
-            kernels.insert(source.name, Kernel::new(gpu, &compiled, options.checked)?);
+            kernels.insert(source.name, Kernel::new(gpu, &compiled, form, options.checked)?);
         }
         let mut backend = Self {
             gpu: gpu.clone(),
+            exact,
             memory,
             kernels,
             commands: Default::default(),
@@ -275,7 +282,7 @@ impl Backend for GpuBackend {
     }
 
     fn is_exact(&self) -> bool {
-        self.gpu.description.exact
+        self.exact
     }
 
     fn run_stage(&mut self, stage: Stage, inputs: &FrameInputs) -> Result<(), BackendError> {

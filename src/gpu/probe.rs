@@ -122,19 +122,23 @@ impl GpuBackend {
         self.gpu.wait()
     }
 
-    /// The plan's run from its beginning, with every buffer zero. Kernels of the names of
-    /// `changed`, which must bind the same, are replaced.
+    /// The plan's run from its beginning, with every buffer zero, and with `changed`, which must
+    /// bind the same, in place of the kernel of its name.
     ///
     /// # Errors
-    /// The driver refuses a kernel, or the device fails.
+    /// The driver refuses the kernel, or the device fails.
     pub fn restart(
         &mut self,
-        changed: &[(&CompiledKernel, /* checked */ bool)],
+        changed: &CompiledKernel,
+        form: KernelForm,
+        checked: bool,
     ) -> Result<(), BackendError> {
-        for (compiled, checked) in changed {
-            let kernel = Kernel::new(&self.gpu, compiled, *checked)?;
-            if let Some(place) = self.kernels.get_mut(compiled.name.as_str()) {
-                *place = kernel;
+        let kernel = Kernel::new(&self.gpu, changed, form, checked)?;
+        match self.kernels.get_mut(changed.name.as_str()) {
+            Some(place) => *place = kernel,
+            None => {
+                let found = format!("a run has no kernel `{}`", changed.name);
+                return Err(BackendError::Unsupported(found));
             }
         }
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());

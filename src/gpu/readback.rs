@@ -1,6 +1,7 @@
 //! What comes home from the device: state on request, statistics through a ring without stalling.
 
 use std::sync::mpsc;
+use std::time::Duration;
 
 use super::adapter::GpuDevice;
 use super::memory::Memory;
@@ -15,6 +16,9 @@ const HALF: u32 = STATISTICS_LEN / 2;
 
 /// Bytes a line.
 const LINE: u64 = size_of::<FrameStats>() as u64;
+
+/// How long after the device is done its word of it may take.
+const CALL_BACK: Duration = Duration::from_secs(60);
 
 /// The first `bytes` (a multiple of 4) of a buffer, after all submitted work.
 pub(super) fn words(gpu: &GpuDevice, buffer: &wgpu::Buffer, bytes: u64) -> Result<Vec<u32>, BackendError> {
@@ -59,8 +63,9 @@ impl Mapping {
     /// The words; the device must have been waited for.
     fn words(self) -> Result<Vec<u32>, BackendError> {
         let failed = |what: String| BackendError::DeviceLost(format!("readback failed: {what}"));
+        // Another thread that waits for the same device may have taken it on itself to call back.
         self.done
-            .try_recv()
+            .recv_timeout(CALL_BACK)
             .map_err(|e| failed(e.to_string()))?
             .map_err(|e| failed(e.to_string()))?;
         let view = self

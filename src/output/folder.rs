@@ -33,11 +33,19 @@ impl AtomicFolder {
                 Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
                 Err(error) => return Err(OutputError::io(parent, "create a folder here", error)),
                 Ok(()) => {
-                    return Ok(Self { hidden, parent: parent.to_owned(), name: name.to_owned() });
+                    return Ok(Self {
+                        hidden,
+                        parent: parent.to_owned(),
+                        name: name.to_owned(),
+                    });
                 }
             }
         }
-        Err(OutputError::io(parent, "create a folder here", ErrorKind::AlreadyExists.into()))
+        Err(OutputError::io(
+            parent,
+            "create a folder here",
+            ErrorKind::AlreadyExists.into(),
+        ))
     }
 
     /// Writes the file `path` of the folder, `a/b.bin` in a folder of it.
@@ -63,7 +71,11 @@ impl AtomicFolder {
                 Err(error) => Err(OutputError::io(&place, "write", error)),
             };
         }
-        Err(OutputError::io(&self.parent, "create a folder here", ErrorKind::AlreadyExists.into()))
+        Err(OutputError::io(
+            &self.parent,
+            "create a folder here",
+            ErrorKind::AlreadyExists.into(),
+        ))
     }
 }
 
@@ -91,7 +103,13 @@ mod tests {
         let names = || -> Vec<_> {
             let mut names: Vec<_> = fs::read_dir(&parent)
                 .expect("it is a folder")
-                .map(|entry| entry.expect("readable").file_name().into_string().expect("UTF-8"))
+                .map(|entry| {
+                    entry
+                        .expect("readable")
+                        .file_name()
+                        .into_string()
+                        .expect("UTF-8")
+                })
                 .collect();
             names.sort();
             names
@@ -99,7 +117,10 @@ mod tests {
         for expected in ["it", "it-2"] {
             let folder = AtomicFolder::create(&parent, "it").expect("writable");
             folder.write("a/b.bin", b"xy").expect("writable");
-            assert!(!parent.join(expected).exists(), "it stands before it is complete");
+            assert!(
+                !parent.join(expected).exists(),
+                "it stands before it is complete"
+            );
             let place = folder.commit().expect("writable");
             assert_eq!(place, parent.join(expected));
             assert_eq!(fs::read(place.join("a/b.bin")).expect("readable"), b"xy");

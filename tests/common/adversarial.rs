@@ -54,10 +54,13 @@ const SYSTEMS: u32 = 6;
 pub(crate) fn adversarial(seed: u32, first: u32, count: u32) -> (Plan, Vec<FrameInputs>) {
     let systems: String = (0..SYSTEMS)
         .map(|slot| {
+            // Kernels leave out what no system of the plan uses: this one uses everything.
+            let shape = ["streak", "rectangle", "sphere"][slot as usize % 3];
             format!(
                 "[[system]]\nname = \"s{slot}\"\ninitial_mean_parts = 1\nspeed = 1\n\
                  generation_shape = {{ kind = \"sphere\", radius = 1 }}\nlifetime = 7\n\
-                 color = [1, 1, 1]\nsize = 1\n"
+                 color = [1, 1, 1]\nsize = 1\nparticle_shape = \"{shape}\"\n\
+                 intensity_threshold = 0.1\n"
             )
         })
         .collect();
@@ -66,7 +69,10 @@ pub(crate) fn adversarial(seed: u32, first: u32, count: u32) -> (Plan, Vec<Frame
          target = [0, 0, 0]\n{systems}"
     ));
     // A turn, so that rows are kept for eight frames.
-    let turns = [Turn { frame: 1, scene: scene.clone() }];
+    let turns = [Turn {
+        frame: 1,
+        scene: scene.clone(),
+    }];
     let plan = Plan::with_turns(&scene, &turns, 8).expect("the scene can be planned");
     let mut dice = Dice(seed.wrapping_mul(0x0100_0000));
     let frames = (0..count)
@@ -77,7 +83,9 @@ pub(crate) fn adversarial(seed: u32, first: u32, count: u32) -> (Plan, Vec<Frame
             inputs.frame.near = snap(dice.magnitude(1.0, 16.0).max(1e-6));
             inputs.frame.focal_px *= 1.0 + dice.signed() * 0.9;
             inputs.frame.background = [0; 4].map(|_: u32| dice.magnitude(0.2, 1.0));
-            inputs.systems = (0..SYSTEMS).map(|slot| system_frame(&mut dice, seed, slot)).collect();
+            inputs.systems = (0..SYSTEMS)
+                .map(|slot| system_frame(&mut dice, seed, slot))
+                .collect();
             inputs.rows = (0..SYSTEMS).map(|_| system_row(&mut dice)).collect();
             inputs
         })

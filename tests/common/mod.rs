@@ -6,6 +6,7 @@ mod adversarial;
 mod probes;
 mod scenes;
 pub(crate) mod statistics;
+mod work;
 
 use std::sync::{Mutex, PoisonError};
 
@@ -17,6 +18,7 @@ use motes::plan::{BUFFERS, BufferRole, FrameInputs, Plan, STAGES, Stage};
 pub(crate) use adversarial::*;
 pub(crate) use probes::*;
 pub(crate) use scenes::*;
+pub(crate) use work::*;
 
 /// Adapters that tests run on: llvmpipe and SwiftShader, or those that the variable
 /// `MOTES_TEST_ADAPTERS` names, separated by commas. Never none.
@@ -27,7 +29,11 @@ pub(crate) fn adapters() -> Vec<String> {
         .map(|name| name.trim().to_owned())
         .filter(|name| !name.is_empty())
         .collect();
-    if named.is_empty() { vec!["llvmpipe".into(), "swiftshader".into()] } else { named }
+    if named.is_empty() {
+        vec!["llvmpipe".into(), "swiftshader".into()]
+    } else {
+        named
+    }
 }
 
 /// Whether everything is to be tested that a test can test, however long it takes:
@@ -85,15 +91,25 @@ pub(crate) fn on_gpu(device: &GpuDevice, plan: &Plan, options: &GpuOptions) -> G
 /// Names of the buffers that backends are compared by after `stage`.
 pub(crate) fn compared_after(stage: Stage) -> impl Iterator<Item = &'static str> {
     let is_state = |name: &&str| {
-        BUFFERS.iter().any(|buffer| buffer.name == *name && buffer.role == BufferRole::State)
+        BUFFERS
+            .iter()
+            .any(|buffer| buffer.name == *name && buffer.role == BufferRole::State)
     };
     stage.info().writes.iter().copied().filter(is_state)
 }
 
 /// Where two lists of words differ first, or in length; `None` where they are the same.
 pub(crate) fn first_difference(got: &[u32], expected: &[u32]) -> Option<String> {
-    if let Some(at) = got.iter().zip(expected).position(|(got, expected)| got != expected) {
-        let count = got.iter().zip(expected).filter(|(got, expected)| got != expected).count();
+    if let Some(at) = got
+        .iter()
+        .zip(expected)
+        .position(|(got, expected)| got != expected)
+    {
+        let count = got
+            .iter()
+            .zip(expected)
+            .filter(|(got, expected)| got != expected)
+            .count();
         return Some(format!(
             "word {at}: got {:#010x} ({:e}), expected {:#010x} ({:e}); {count} of {} differ",
             got[at],
@@ -123,8 +139,10 @@ pub(crate) fn compare_stage(
     expected.run_stage(stage, inputs).map_err(failed)?;
     got.run_stage(stage, inputs).map_err(failed)?;
     for buffer in compared_after(stage) {
-        let (got, expected) =
-            (got.read(buffer).map_err(failed)?, expected.read(buffer).map_err(failed)?);
+        let (got, expected) = (
+            got.read(buffer).map_err(failed)?,
+            expected.read(buffer).map_err(failed)?,
+        );
         if let Some(difference) = first_difference(&got, &expected) {
             return Err(format!("frame {frame}, {name}, `{buffer}`: {difference}"));
         }
@@ -150,7 +168,11 @@ pub(crate) fn compare_run(
         let failed = |e: motes::backend::BackendError| format!("frame {frame}: {e}");
         let differs = |what: &str, got: String, expected: String| {
             (got != expected)
-                .then(|| Err(format!("frame {frame}, {what}: {got} instead of {expected}")))
+                .then(|| {
+                    Err(format!(
+                        "frame {frame}, {what}: {got} instead of {expected}"
+                    ))
+                })
                 .unwrap_or(Ok(()))
         };
         let digests = |backend: &mut dyn Backend| {
@@ -163,7 +185,10 @@ pub(crate) fn compare_run(
             digests(expected).map_err(failed)?,
         )?;
         let statistics = |backend: &mut dyn Backend| {
-            backend.take_statistics().map(|lines| format!("{lines:?}")).map_err(failed)
+            backend
+                .take_statistics()
+                .map(|lines| format!("{lines:?}"))
+                .map_err(failed)
         };
         differs("statistics", statistics(got)?, statistics(expected)?)?;
     }

@@ -1,6 +1,8 @@
 //! Every function of the shared libraries, in WGSL and in Rust, to be evaluated on the same
 //! arguments by an adapter and by the processor.
 
+use std::f32::consts::{FRAC_1_SQRT_2, SQRT_2};
+
 use glam::{UVec4, Vec2, Vec3, Vec4};
 use motes::cpu::light::{light_of, steps_of};
 use motes::exact::*;
@@ -60,8 +62,13 @@ pub(crate) type Probe = (&'static str, fn(&Arguments) -> u32);
 pub(crate) struct ProbeKernel {
     pub(crate) name: &'static str,
     imports: &'static str,
+    /// The libraries whose every function it evaluates.
+    pub(crate) libraries: &'static [&'static str],
     pub(crate) probes: &'static [Probe],
 }
+
+/// 2^40.
+const LARGE: f32 = 1_099_511_627_776.0;
 
 /// The snapped bits of a float, one pattern for all NaNs.
 fn bits(x: f32) -> u32 {
@@ -70,12 +77,16 @@ fn bits(x: f32) -> u32 {
 
 #[rustfmt::skip] // one probe a line
 pub(crate) static PROBES: &[ProbeKernel] = &[
-    ProbeKernel { name: "probe/exact", imports: "", probes: &[
-        ("bits(snap(f))", |r| bits(snap(r.f()))),
-        ("bits(snap2(raw.xy).y)", |r| bits(snap2(Vec2::new(r.p, r.q)).y)),
-        ("bits(snap3(raw.xyz).y)", |r| bits(snap3(Vec3::new(r.p, r.q, r.f())).y)),
-        ("bits(snap4(raw).w)", |r| bits(snap4(r.raw4()).w)),
-        ("bits(snap4(raw).x)", |r| bits(snap4(r.raw4()).x)),
+    ProbeKernel { name: "probe/exact", imports: "", libraries: &["motes::exact"], probes: &[
+        // What is not snapped is made large enough to be seen: outputs are snapped themselves.
+        ("bits(snap(f) * LARGE)", |r| bits(snap(r.f()) * LARGE)),
+        ("bits(snap2(raw.xy).x * LARGE)", |r| bits(snap2(Vec2::new(r.p, r.q)).x * LARGE)),
+        ("bits(snap2(raw.xy).y * LARGE)", |r| bits(snap2(Vec2::new(r.p, r.q)).y * LARGE)),
+        ("bits(snap3(raw.xyz).y * LARGE)", |r| bits(snap3(Vec3::new(r.p, r.q, r.f())).y * LARGE)),
+        ("bits(snap4(raw).x * LARGE)", |r| bits(snap4(r.raw4()).x * LARGE)),
+        ("bits(snap4(raw).z * LARGE)", |r| bits(snap4(r.raw4()).z * LARGE)),
+        ("bits(min_exact(p, q) * LARGE)", |r| bits(min_exact(r.p, r.q) * LARGE)),
+        ("bits(max_exact(p, q) * LARGE)", |r| bits(max_exact(r.p, r.q) * LARGE)),
         // Of a NaN, each driver has its own bits.
         ("bits_of(p)", |r| bits_of(r.p)),
         ("u32(less(p, q))", |r| u32::from(less(r.p, r.q))),
@@ -102,6 +113,7 @@ pub(crate) static PROBES: &[ProbeKernel] = &[
         ("bits(f32_of_i32(i32(i)))", |r| bits(f32_of_i32(r.i.cast_signed()))),
         ("bits(f32_of_u32(i))", |r| bits(f32_of_u32(r.i))),
         ("bits(reciprocal(f))", |r| bits(reciprocal(r.f()))),
+        ("bits(reciprocal(f) * LARGE)", |r| bits(reciprocal(r.f()) * LARGE)),
         ("bits(reciprocal(c))", |r| bits(reciprocal(r.c))),
         ("bits(inverse_square_root(f))", |r| bits(inverse_square_root(r.f()))),
         ("bits(inverse_square_root(c))", |r| bits(inverse_square_root(r.c))),
@@ -121,12 +133,14 @@ pub(crate) static PROBES: &[ProbeKernel] = &[
         ("bits(normalize_exact(vec3f(c, d, a)).y)", |r| bits(normalize_exact(Vec3::new(r.c, r.d, r.a)).y)),
     ] },
     ProbeKernel { name: "probe/transcendental", imports: "#import motes::transcendental::{\
-        sin_turns, cos_turns, exp2_exact, log2_exact, cube_root}", probes: &[
+        sin_turns, cos_turns, exp2_exact, log2_exact, cube_root}", libraries: &["motes::transcendental"], probes: &[
         ("bits(sin_turns(c))", |r| bits(sin_turns(r.c))),
         ("bits(sin_turns(d * 0.01f))", |r| bits(sin_turns(r.d * 0.01))),
         ("bits(sin_turns(a))", |r| bits(sin_turns(r.a))),
         ("bits(cos_turns(c))", |r| bits(cos_turns(r.c))),
         ("bits(cos_turns(b))", |r| bits(cos_turns(r.b))),
+        ("bits(sin_turns(a) * LARGE)", |r| bits(sin_turns(r.a) * LARGE)),
+        ("bits(log2_exact(d) * LARGE)", |r| bits(log2_exact(r.d) * LARGE)),
         ("bits(exp2_exact(c))", |r| bits(exp2_exact(r.c))),
         ("bits(exp2_exact(a))", |r| bits(exp2_exact(r.a))),
         ("bits(log2_exact(a))", |r| bits(log2_exact(r.a))),
@@ -137,7 +151,7 @@ pub(crate) static PROBES: &[ProbeKernel] = &[
     ProbeKernel { name: "probe/integers", imports: "\
         #import motes::rng::{pcg4d, unit_float, signed_float, unit4, signed4}\n\
         #import motes::dispatch::{dispatch_for, linear_index}\n\
-        #import motes::light::{light_of, steps_of}", probes: &[
+        #import motes::light::{light_of, steps_of}", libraries: &["motes::rng", "motes::dispatch", "motes::light"], probes: &[
         ("pcg4d(words).x", |r| pcg4d(r.words()).x),
         ("pcg4d(words).y", |r| pcg4d(r.words()).y),
         ("pcg4d(words).z", |r| pcg4d(r.words()).z),
@@ -185,6 +199,8 @@ impl ProbeKernel {
 {}
 @group(0) @binding(0) var<storage, read> input: array<vec4<u32>>;
 @group(0) @binding(1) var<storage, read_write> output: array<u32>;
+
+const LARGE: f32 = 1099511627776.0f;
 
 fn bits(x: f32) -> u32 {{
     let b = bits_of(x);
@@ -238,7 +254,10 @@ fn probe(@builtin(global_invocation_id) id: vec3<u32>) {{
         got: &[u32],
         expected: &[u32],
     ) -> Option<String> {
-        let at = got.iter().zip(expected).position(|(got, expected)| got != expected)?;
+        let at = got
+            .iter()
+            .zip(expected)
+            .position(|(got, expected)| got != expected)?;
         let count = self.probes.len();
         Some(format!(
             "{} at {:x?}: got {:#010x}, expected {:#010x}",
@@ -260,8 +279,16 @@ pub(crate) fn arguments(count: u32) -> Vec<Arguments> {
             let awkward = |index: u32| awkward[(index % len) as usize];
             let is_special = at < len * len;
             let raw = |stream: u32, index: u32| {
-                let x = if is_special { awkward(index) } else { f32::from_bits(random(stream)) };
-                if x.is_nan() { f32::from_bits(x.to_bits() & 0x803f_ffff) } else { x }
+                let x = if is_special {
+                    awkward(index)
+                } else {
+                    f32::from_bits(random(stream))
+                };
+                if x.is_nan() {
+                    f32::from_bits(x.to_bits() & 0x803f_ffff)
+                } else {
+                    x
+                }
             };
             let stored = |x: f32| snap(x.clamp(f32::MIN, f32::MAX));
             // Exponents -12 ..= 11 of 2, and multiples of 1/8: turns and powers of interest.
@@ -273,7 +300,8 @@ pub(crate) fn arguments(count: u32) -> Vec<Arguments> {
                 }
             };
             let a = stored(raw(0, at / len));
-            let next = |x: f32| f32::from_bits(x.to_bits().wrapping_add(random(1) % 3).wrapping_sub(1));
+            let next =
+                |x: f32| f32::from_bits(x.to_bits().wrapping_add(random(1) % 3).wrapping_sub(1));
             Arguments {
                 a,
                 b: if is_special || random(2) % 2 == 0 {
@@ -285,7 +313,11 @@ pub(crate) fn arguments(count: u32) -> Vec<Arguments> {
                 d: moderate(5),
                 p: raw(6, at / len),
                 q: raw(7, at),
-                w: if is_special { awkward(at).to_bits() } else { random(8) },
+                w: if is_special {
+                    awkward(at).to_bits()
+                } else {
+                    random(8)
+                },
                 i: match random(9) % 4 {
                     0 => (1 << 24) + random(10) % 5 - 2,
                     1 => (random(10) % 9).wrapping_sub(4) << (random(10) >> 27),
@@ -298,12 +330,15 @@ pub(crate) fn arguments(count: u32) -> Vec<Arguments> {
 
 /// Floats that trip conversions and comparisons.
 fn awkward() -> Vec<f32> {
-    let powers = [-149, -127, -126, -80, -41, -40, -39, -24, -1, 0, 1, 23, 24, 29, 30, 31, 32];
+    let powers = [
+        -149, -127, -126, -80, -41, -40, -39, -24, -1, 0, 1, 23, 24, 29, 30, 31, 32,
+    ];
     let large = [39, 40, 41, 59, 60, 61, 79, 80, 81, 100, 126, 127];
     let positive = powers
         .into_iter()
         .chain(large)
         .map(|n: i32| 2f64.powi(n) as f32)
+        .chain([FRAC_1_SQRT_2, SQRT_2])
         .flat_map(|x| [x.next_down(), x, x.next_up()])
         .chain([0.0, 0.5, 1.5, 2.5, 3.0, f32::MAX, f32::INFINITY, f32::NAN]);
     positive.flat_map(|x| [x, -x]).collect()

@@ -171,7 +171,10 @@ pub(crate) fn everything() -> Scene {
 
 /// [`everything`] with room for only `capacity` particles, so that births are dropped.
 pub(crate) fn everything_within(capacity: u32) -> Scene {
-    Scene { capacity: Some(capacity), ..everything() }
+    Scene {
+        capacity: Some(capacity),
+        ..everything()
+    }
 }
 
 /// [`everything`], planned with parameters that change at frames 3, 4 and 8, so that rows of
@@ -223,8 +226,8 @@ position = [0, 0, 5]
 target = [0, 0, 0]
 [[system]]
 name = "crowd"
-initial_mean_parts = 140_000
-delta_mean_parts = -60_000
+initial_mean_parts = 290_000
+delta_mean_parts = -130_000
 generation_shape = { kind = "rectangle", length = 1, width = 1 }
 speed = { mean = 0.1, var = 0.05 }
 lifetime = { mean = 2, var = 1.5 }

@@ -31,7 +31,11 @@ pub(crate) fn ks_p_value(samples: &[f64], cdf: impl Fn(f64) -> f64) -> f64 {
     }
     let term = |j: i32| {
         let exponential = (-2.0 * f64::from(j * j) * lambda * lambda).exp();
-        if j % 2 == 1 { 2.0 * exponential } else { -2.0 * exponential }
+        if j % 2 == 1 {
+            2.0 * exponential
+        } else {
+            -2.0 * exponential
+        }
     };
     (1..=100).map(term).sum::<f64>().clamp(0.0, 1.0)
 }
@@ -45,5 +49,7 @@ pub(crate) fn assert_distributed(what: &str, samples: &[f64], cdf: impl Fn(f64) 
 
 /// [`assert_distributed`] for the uniform distribution on `low .. high`.
 pub(crate) fn assert_uniform(what: &str, samples: &[f64], low: f64, high: f64) {
-    assert_distributed(what, samples, |x| ((x - low) / (high - low)).clamp(0.0, 1.0));
+    assert_distributed(what, samples, |x| {
+        ((x - low) / (high - low)).clamp(0.0, 1.0)
+    });
 }

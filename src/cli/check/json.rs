@@ -32,7 +32,14 @@ fn scene(checked: &Checked) -> String {
 }
 
 fn outcome_keys(outcome: &Outcome, checked: &Checked) -> String {
-    let Outcome { frames, most_particles, dropped, state_digest, image_digest, .. } = outcome;
+    let Outcome {
+        frames,
+        most_particles,
+        dropped,
+        state_digest,
+        image_digest,
+        ..
+    } = outcome;
     let difference = match &outcome.difference {
         None => "null".to_owned(),
         Some(difference) => object(difference, checked),
@@ -47,10 +54,9 @@ fn outcome_keys(outcome: &Outcome, checked: &Checked) -> String {
 
 fn object(difference: &Difference, checked: &Checked) -> String {
     let place = difference.place.as_ref().map_or("null".to_owned(), place);
-    let saved = checked
-        .saved
-        .as_ref()
-        .map_or("null".to_owned(), |path| quoted(&path.display().to_string()));
+    let saved = checked.saved.as_ref().map_or("null".to_owned(), |path| {
+        quoted(&path.display().to_string())
+    });
     format!(
         "{{\"frame\": {}, \"sign\": {}, \"place\": {place}, \"saved\": {saved}}}",
         difference.frame,
@@ -59,11 +65,24 @@ fn object(difference: &Difference, checked: &Checked) -> String {
 }
 
 fn place(place: &Place) -> String {
-    let Place { stage, buffer, differing_words, element, .. } = place;
-    let Element { record, field, word, expected, got, is_float, .. } = element;
-    let hex = |word: &Option<u32>| {
-        word.map_or("null".to_owned(), |bits| format!("\"{bits:#010x}\""))
-    };
+    let Place {
+        stage,
+        buffer,
+        differing_words,
+        element,
+        ..
+    } = place;
+    let Element {
+        record,
+        field,
+        word,
+        expected,
+        got,
+        is_float,
+        ..
+    } = element;
+    let hex =
+        |word: &Option<u32>| word.map_or("null".to_owned(), |bits| format!("\"{bits:#010x}\""));
     // JSON has no infinities and no NaN.
     let float = |word: &Option<u32>| match word.map(f32::from_bits) {
         Some(value) if *is_float && value.is_finite() => format!("{value:e}"),

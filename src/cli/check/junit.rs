@@ -37,7 +37,10 @@ fn case(checked: &Checked) -> String {
             None => return format!("{head}/>\n"),
             Some(difference) => {
                 let place = difference.place.as_ref().map_or(String::new(), |place| {
-                    format!(", stage {}, buffer {}, {}", place.stage, place.buffer, place.element)
+                    format!(
+                        ", stage {}, buffer {}, {}",
+                        place.stage, place.buffer, place.element
+                    )
                 });
                 let summary = format!("differs at frame {}{place}", difference.frame);
                 ("failure", summary, difference.to_string())

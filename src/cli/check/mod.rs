@@ -73,7 +73,9 @@ struct Report {
 
 impl Report {
     fn is_equal(&self) -> bool {
-        self.scenes.iter().all(|checked| checked.outcome.as_ref().is_ok_and(Outcome::is_equal))
+        self.scenes
+            .iter()
+            .all(|checked| checked.outcome.as_ref().is_ok_and(Outcome::is_equal))
     }
 }
 
@@ -84,14 +86,17 @@ pub(super) fn run(args: &CheckArgs) -> Result<u8, CliError> {
 }
 
 /// Checks the scenes and writes the reports; the exit code.
-fn check_all(
-    args: &CheckArgs,
-    jobs: &[Job],
-    tested: Side,
-    against: Side,
-) -> Result<u8, CliError> {
-    eprintln!("motes: checking {} against {}", tested.name(), against.name());
-    let mut report = Report { tested, against, scenes: Vec::new() };
+fn check_all(args: &CheckArgs, jobs: &[Job], tested: Side, against: Side) -> Result<u8, CliError> {
+    eprintln!(
+        "motes: checking {} against {}",
+        tested.name(),
+        against.name()
+    );
+    let mut report = Report {
+        tested,
+        against,
+        scenes: Vec::new(),
+    };
     let mut failure = None;
     for job in jobs {
         if let Err(error) = check_scene(args, job, &mut report) {
@@ -123,13 +128,22 @@ fn jobs(args: &CheckArgs) -> Result<Vec<Job>, CliError> {
         .into_iter()
         .map(|asked| {
             let mut scene = scene::load(&asked)?;
-            let all = if args.full { scene.frames } else { default_frames(&scene) };
+            let all = if args.full {
+                scene.frames
+            } else {
+                default_frames(&scene)
+            };
             let frames = args.frames.unwrap_or(all);
             if !args.full {
                 scene = shrunk(&scene, frames)?;
             }
             let plan = Plan::new(&scene, frames)?;
-            Ok(Job { asked, name: scene.name, plan, frames })
+            Ok(Job {
+                asked,
+                name: scene.name,
+                plan,
+                frames,
+            })
         })
         .collect()
 }
@@ -142,7 +156,10 @@ fn check_scene(args: &CheckArgs, job: &Job, report: &mut Report) -> Result<(), C
         &job.plan,
         &mut || report.against.start(&job.plan),
         &mut || report.tested.start(&job.plan),
-        &CompareOptions { frames: job.frames, record: args.save.is_some() },
+        &CompareOptions {
+            frames: job.frames,
+            record: args.save.is_some(),
+        },
         &mut |_| bar.inc(1),
     );
     bar.finish_and_clear();
@@ -152,7 +169,12 @@ fn check_scene(args: &CheckArgs, job: &Job, report: &mut Report) -> Result<(), C
         Ok(outcome) => outcome,
         Err(error) => {
             let outcome = Err(error.to_string());
-            report.scenes.push(Checked { scene, duration_secs, outcome, saved: None });
+            report.scenes.push(Checked {
+                scene,
+                duration_secs,
+                outcome,
+                saved: None,
+            });
             return Err(error.into());
         }
     };
@@ -162,14 +184,22 @@ fn check_scene(args: &CheckArgs, job: &Job, report: &mut Report) -> Result<(), C
         for line in difference.to_string().lines() {
             text += &format!("    {line}\n");
         }
-        saved = args.save.as_deref().map(|folder| {
-            check::save(folder, difference, &SavedFor {
-                scene: &scene,
-                tested: &report.tested.description(),
-                against: &report.against.description(),
-                command: &command(args, job),
+        saved = args
+            .save
+            .as_deref()
+            .map(|folder| {
+                check::save(
+                    folder,
+                    difference,
+                    &SavedFor {
+                        scene: &scene,
+                        tested: &report.tested.description(),
+                        against: &report.against.description(),
+                        command: &command(args, job),
+                    },
+                )
             })
-        }).transpose();
+            .transpose();
         if let Ok(Some(path)) = &saved {
             text += &format!("    saved:   {}\n", path.display());
         }
@@ -190,8 +220,19 @@ fn check_scene(args: &CheckArgs, job: &Job, report: &mut Report) -> Result<(), C
 
 /// The scene's line on standard output.
 fn line(scene: &str, outcome: &Outcome) -> String {
-    let Outcome { frames, most_particles, state_digest, image_digest, dropped, .. } = outcome;
-    let verdict = if outcome.is_equal() { "equal" } else { "DIFFERS" };
+    let Outcome {
+        frames,
+        most_particles,
+        state_digest,
+        image_digest,
+        dropped,
+        ..
+    } = outcome;
+    let verdict = if outcome.is_equal() {
+        "equal"
+    } else {
+        "DIFFERS"
+    };
     let dropped = match dropped {
         0 => String::new(),
         births => format!("  ({births} births dropped)"),

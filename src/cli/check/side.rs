@@ -36,7 +36,10 @@ pub(super) fn both(tested: &str, against: &str) -> Result<(Side, Side), CliError
     for side in [&sides.0, &sides.1] {
         if !side.is_exact() {
             return Err(CliError::usage(
-                format!("{} takes no SPIR-V, so its driver is free to round as it likes", side.name()),
+                format!(
+                    "{} takes no SPIR-V, so its driver is free to round as it likes",
+                    side.name()
+                ),
                 "check an adapter that `motes adapters` calls exact",
             ));
         }
@@ -54,9 +57,11 @@ impl Side {
         match gpu::open(&name)? {
             Some(device) => Ok(Self::Gpu(device)),
             None if name.is_empty() => Ok(Self::Cpu),
-            None => {
-                Err(SimulationError::NoAdapter { wanted: name, available: adapter_names() }.into())
+            None => Err(SimulationError::NoAdapter {
+                wanted: name,
+                available: adapter_names(),
             }
+            .into()),
         }
     }
 

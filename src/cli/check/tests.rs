@@ -23,7 +23,11 @@ pub(super) enum Defect {
 
 impl Defect {
     pub(super) fn start(self, plan: &Plan) -> Result<Box<dyn Backend>, BackendError> {
-        Ok(Box::new(Wrong { cpu: CpuBackend::new(plan, None)?, defect: self, frame: 0 }))
+        Ok(Box::new(Wrong {
+            cpu: CpuBackend::new(plan, None)?,
+            defect: self,
+            frame: 0,
+        }))
     }
 }
 
@@ -59,7 +63,10 @@ impl Backend for Wrong {
     fn read(&mut self, buffer: &str) -> Result<Vec<u32>, BackendError> {
         let mut words = self.cpu.read(buffer)?;
         if self.is_wrong() && buffer == "image" {
-            words.last_mut().expect("a picture has pixels").clone_from(&0xff00_0001);
+            words
+                .last_mut()
+                .expect("a picture has pixels")
+                .clone_from(&0xff00_0001);
         }
         Ok(words)
     }
@@ -107,9 +114,15 @@ fn check(name: &str, defect: Defect) -> (Result<u8, (u8, String)>, std::path::Pa
     fs::create_dir_all(&folder).expect("writable");
     let path = |file: &str| folder.join(file).to_str().expect("UTF-8").to_owned();
     fs::write(path("ball.toml"), SCENE).expect("writable");
-    let (scene, json, junit, saved) =
-        (path("ball.toml"), path("r.json"), path("r.xml"), path("saved"));
-    let arguments = ["motes", &scene, "--json", &json, "--junit", &junit, "--save", &saved];
+    let (scene, json, junit, saved) = (
+        path("ball.toml"),
+        path("r.json"),
+        path("r.xml"),
+        path("saved"),
+    );
+    let arguments = [
+        "motes", &scene, "--json", &json, "--junit", &junit, "--save", &saved,
+    ];
     let args = Arguments::parse_from(arguments).check;
     let jobs = jobs(&args).map_err(|e| e.message).expect("a good scene");
     let result = check_all(&args, &jobs, Side::Wrong(defect), Side::Cpu);
@@ -131,28 +144,37 @@ fn a_wrong_adapter_is_exit_code_1_and_stands_in_every_report() {
     let (result, folder) = check("wrong", Defect::LastPixel);
     assert_eq!(result, Ok(1));
     let json = text(&folder, "r.json");
-    assert_tells(&json, &[
-        r#""adapter": "Wrong \"<&'\u0001>\" adapter""#,
-        r#""against": "cpu""#,
-        r#""equal": false"#,
-        r#""difference": {"frame": 2, "sign": "digest of the image: expected "#,
-        r#""stage": "resolve", "buffer": "image", "differing_words": 1, "record": 127, "field": "", "word": 127"#,
-        r#""expected": "0xff000000", "got": "0xff000001", "expected_float": null, "got_float": null"#,
-        "ball-frame-0002-resolve",
-    ]);
+    assert_tells(
+        &json,
+        &[
+            r#""adapter": "Wrong \"<&'\u0001>\" adapter""#,
+            r#""against": "cpu""#,
+            r#""equal": false"#,
+            r#""difference": {"frame": 2, "sign": "digest of the image: expected "#,
+            r#""stage": "resolve", "buffer": "image", "differing_words": 1, "record": 127, "field": "", "word": 127"#,
+            r#""expected": "0xff000000", "got": "0xff000001", "expected_float": null, "got_float": null"#,
+            "ball-frame-0002-resolve",
+        ],
+    );
     let junit = text(&folder, "r.xml");
-    assert_tells(&junit, &[
-        "tests=\"1\" failures=\"1\" errors=\"0\"",
-        "Wrong &quot;&lt;&amp;&apos;\u{fffd}&gt;&quot; adapter",
-        "<failure message=\"differs at frame 2, stage resolve, buffer image, record 127 (pixel 15, 7)",
-        "</failure>",
-    ]);
+    assert_tells(
+        &junit,
+        &[
+            "tests=\"1\" failures=\"1\" errors=\"0\"",
+            "Wrong &quot;&lt;&amp;&apos;\u{fffd}&gt;&quot; adapter",
+            "<failure message=\"differs at frame 2, stage resolve, buffer image, record 127 (pixel 15, 7)",
+            "</failure>",
+        ],
+    );
     let readme = text(&folder, "saved/ball-frame-0002-resolve/README.txt");
-    assert_tells(&readme, &[
-        "record 127 (pixel 15, 7): expected 0xff000000 (4278190080), got 0xff000001",
-        "--frames 5 --adapter 'auto' --against 'cpu'",
-        "Compared with:      cpu (motes ",
-    ]);
+    assert_tells(
+        &readme,
+        &[
+            "record 127 (pixel 15, 7): expected 0xff000000 (4278190080), got 0xff000001",
+            "--frames 5 --adapter 'auto' --against 'cpu'",
+            "Compared with:      cpu (motes ",
+        ],
+    );
     fs::remove_dir_all(&folder).expect("removable");
 }
 
@@ -162,12 +184,18 @@ fn a_lost_device_is_exit_code_3_and_stands_in_every_report() {
     let (code, message) = result.expect_err("the device is lost");
     assert_eq!(code, 3);
     assert_tells(&message, &["gone & <away>"]);
-    assert_tells(&text(&folder, "r.json"), &[r#""equal": false"#, r#""error": "error: the device"#]);
-    assert_tells(&text(&folder, "r.xml"), &[
-        "failures=\"0\" errors=\"1\"",
-        "<error message=\"the machine failed\">",
-        "gone &amp; &lt;away&gt;",
-    ]);
+    assert_tells(
+        &text(&folder, "r.json"),
+        &[r#""equal": false"#, r#""error": "error: the device"#],
+    );
+    assert_tells(
+        &text(&folder, "r.xml"),
+        &[
+            "failures=\"0\" errors=\"1\"",
+            "<error message=\"the machine failed\">",
+            "gone &amp; &lt;away&gt;",
+        ],
+    );
     assert!(!folder.join("saved").exists());
     fs::remove_dir_all(&folder).expect("removable");
 }

@@ -1,0 +1,180 @@
+//! Runs whose outcome the processor has told beforehand, kernel by kernel.
+
+use motes::backend::Backend;
+use motes::gpu::shader::CompiledKernel;
+use motes::gpu::{GpuBackend, GpuDevice, GpuOptions, KernelForm, STAGE_KERNELS};
+use motes::layout::Counts;
+use motes::plan::{FrameInputs, Plan, STAGES};
+
+use crate::common::*;
+
+/// What a run leaves behind after each stage that has any, in order: stage, buffer, words.
+type Outcome = Vec<(&'static str, &'static str, Vec<u32>)>;
+
+/// A run and its outcome.
+pub(crate) struct Trial {
+    pub(crate) name: &'static str,
+    cut: Cut,
+    page_bytes: u64,
+    plan: Plan,
+    frames: Vec<Told>,
+}
+
+/// A frame and what comes of it.
+struct Told {
+    inputs: FrameInputs,
+    outcome: Outcome,
+    after_offsets: Vec<u32>,
+    after_pages: Vec<u32>,
+    digests: (u64, u64),
+    statistics: String,
+}
+
+impl Trial {
+    fn new(
+        name: &'static str,
+        (plan, frames): (Plan, Vec<FrameInputs>),
+        workgroup_size: u32,
+        page_bytes: u64,
+    ) -> Self {
+        let cut = Cut::new(workgroup_size, page_bytes, plan.capacity);
+        let mut cpu = on_cpu(&plan);
+        let frames = frames.into_iter().map(|inputs| told(&mut cpu, inputs, &cut)).collect();
+        Self { name, cut, page_bytes, plan, frames }
+    }
+
+    /// An unchanged run on the device, that [`Trial::difference`] starts from.
+    pub(crate) fn backend(&self, device: &GpuDevice) -> GpuBackend {
+        let options = GpuOptions {
+            workgroup_size: self.cut.workgroup_size,
+            page_bytes: self.page_bytes,
+            // Whatever a changed kernel leaves behind, the others stay within their buffers.
+            checked: true,
+            ..GpuOptions::default()
+        };
+        on_gpu(device, &self.plan, &options)
+    }
+
+    /// Invocations a workgroup.
+    pub(crate) fn workgroup_size(&self) -> u32 {
+        self.cut.workgroup_size
+    }
+
+    /// Runs from the beginning with one kernel replaced, until something is not as told; `None`
+    /// where all is.
+    pub(crate) fn difference(
+        &self,
+        backend: &mut GpuBackend,
+        changed: &CompiledKernel,
+    ) -> Option<String> {
+        if let Err(e) = backend.restart(changed, KernelForm::Spirv, true) {
+            return Some(format!("restart: {e}"));
+        }
+        let is_digest = changed.name == "digest/digest";
+        self.frames.iter().find_map(|told| {
+            let frame = told.inputs.frame.frame;
+            match frame_difference(backend, told, is_digest) {
+                Ok(None) => None,
+                Ok(Some(difference)) => Some(format!("frame {frame}, {difference}")),
+                Err(e) => Some(format!("frame {frame}: {e}")),
+            }
+        })
+    }
+}
+
+/// Steps and draws one frame on the processor.
+fn told(cpu: &mut dyn Backend, inputs: FrameInputs, cut: &Cut) -> Told {
+    let mut outcome = Vec::new();
+    let mut after_offsets = Vec::new();
+    let mut alive = Vec::new();
+    for info in STAGES {
+        cpu.run_stage(info.stage, &inputs).expect("the processor runs every stage");
+        let mut read = |buffer| cpu.read(buffer).expect("a state buffer");
+        for buffer in compared_after(info.stage) {
+            outcome.push((info.name, buffer, read(buffer)));
+        }
+        let counts: Counts = bytemuck::pod_read_unaligned(bytemuck::cast_slice(&read("counts")));
+        match info.name {
+            "births" => after_offsets = cut.after_offsets(&counts),
+            "cull" => {
+                let bits = read("alive_bits");
+                let bit = |at: u32| bits[at as usize / 32] >> (at % 32) & 1 == 1;
+                alive = (0..counts.total).map(bit).collect();
+            }
+            _ => {}
+        }
+    }
+    Told {
+        outcome,
+        after_offsets,
+        after_pages: cut.after_pages(&alive),
+        digests: (
+            cpu.state_digest().expect("a digest"),
+            cpu.image_digest().expect("a digest"),
+        ),
+        statistics: format!("{:?}", cpu.take_statistics().expect("statistics")),
+        inputs,
+    }
+}
+
+/// Runs one frame kernel by kernel. The lists of work are looked at before anything is dispatched
+/// by them: a wrong one could keep the device busy for hours.
+fn frame_difference(
+    gpu: &mut GpuBackend,
+    told: &Told,
+    with_digests: bool,
+) -> Result<Option<String>, motes::backend::BackendError> {
+    for (at, one) in STAGE_KERNELS.iter().enumerate() {
+        gpu.run_kernel(one.kernel, &told.inputs)?;
+        let lists = match one.kernel {
+            "systems/offsets" => Some((0, &told.after_offsets)),
+            "scan/pages" => Some((told.after_offsets.len(), &told.after_pages)),
+            _ => None,
+        };
+        if let Some((first, expected)) = lists {
+            let got = gpu.read("dispatches")?;
+            let got = &got[first..first + expected.len()];
+            if let Some(difference) = first_difference(got, expected) {
+                return Ok(Some(format!("{}, dispatches: {difference}", one.kernel)));
+            }
+        }
+        let is_last = STAGE_KERNELS.get(at + 1).is_none_or(|next| next.stage != one.stage);
+        if !is_last {
+            continue;
+        }
+        let stage = one.stage.info().name;
+        for (_, buffer, expected) in told.outcome.iter().filter(|(of, ..)| *of == stage) {
+            if let Some(difference) = first_difference(&gpu.read(buffer)?, expected) {
+                return Ok(Some(format!("{stage}, `{buffer}`: {difference}")));
+            }
+        }
+    }
+    if with_digests {
+        let digests = (gpu.state_digest()?, gpu.image_digest()?);
+        if digests != told.digests {
+            return Ok(Some(format!("digests {digests:x?} instead of {:x?}", told.digests)));
+        }
+    }
+    let statistics = format!("{:?}", gpu.take_statistics()?);
+    Ok((statistics != told.statistics)
+        .then(|| format!("statistics {statistics} instead of {}", told.statistics)))
+}
+
+/// All trials, those that catch most at least cost first.
+pub(crate) fn trials() -> Vec<Trial> {
+    let turning = |scene| {
+        let plan = everything_turning(scene);
+        let frames = frames_of(&plan, 10);
+        (plan, frames)
+    };
+    let crowd = Plan::new(&crowd(), 4).expect("the scene can be planned");
+    let crowd_frames = frames_of(&crowd, 4);
+    const PAGE: u64 = 64 << 10;
+    vec![
+        Trial::new("everything", turning(&everything()), 64, PAGE),
+        Trial::new("dropped", turning(&everything_within(2500)), 32, PAGE),
+        Trial::new("extreme at 65,536", adversarial(1, 65_531, 8), 64, PAGE),
+        Trial::new("extreme at 256", adversarial(2, 252, 8), 64, PAGE),
+        Trial::new("crowd", (crowd, crowd_frames), 8, 1 << 30),
+    ]
+}

@@ -1,0 +1,122 @@
+//! Parameters that change while a scene runs: recordings, and what they may not touch.
+
+mod common;
+
+use motes::gpu::GpuOptions;
+use motes::plan::{Plan, Turn};
+use motes::recording::Recording;
+use motes::scene::{self, Scene};
+use motes::simulation::{AdapterChoice, Options, ParticleState, Simulation};
+
+const SCENE: &str = r#"
+frames = 30
+[image]
+width = 64
+height = 36
+[camera]
+position = [0, 0, 5]
+target = [0, 0, 0]
+[[system]]
+name = "only"
+initial_mean_parts = 40
+generation_shape = { kind = "sphere", radius = 0.5 }
+speed = { mean = 0.05, var = 0.02 }
+lifetime = { mean = 8, var = 3 }
+color = { mean = [0.2, 0.1, 0.05], var = [0.05, 0.05, 0.05] }
+size = { mean = 0.05, var = 0.02 }
+"#;
+
+fn scene_with(speed: &str, lifetime: &str, size: &str) -> Scene {
+    let text = SCENE
+        .replace("speed = { mean = 0.05, var = 0.02 }", &format!("speed = {speed}"))
+        .replace("lifetime = { mean = 8, var = 3 }", &format!("lifetime = {lifetime}"))
+        .replace("size = { mean = 0.05, var = 0.02 }", &format!("size = {size}"));
+    scene::parse(&text, "turned.toml", "turned").expect("a good scene")
+}
+
+fn base() -> Scene {
+    scene::parse(SCENE, "base.toml", "base").expect("a good scene")
+}
+
+/// A speed, lifetime and size that no unturned particle has.
+fn turned() -> Scene {
+    scene_with("{ mean = 0.3 }", "{ mean = 3 }", "{ mean = 0.2 }")
+}
+
+fn on_cpu(turns: Vec<Turn>) -> Simulation {
+    let options = Options { adapter: AdapterChoice::Cpu, turns, ..Options::default() };
+    Simulation::new(&base(), &options).expect("the plan fits the processor")
+}
+
+#[test]
+fn a_turned_knob_does_not_change_what_is_already_born() {
+    let turn_frame = 12;
+    let mut plain = on_cpu(Vec::new());
+    let mut changed = on_cpu(vec![Turn { frame: turn_frame, scene: turned() }]);
+    let frame = turn_frame + 4;
+    plain.seek_from(0, frame).expect("it runs");
+    changed.seek_from(0, frame).expect("it runs");
+    let older = |particles: Vec<ParticleState>| -> Vec<ParticleState> {
+        particles.into_iter().filter(|p| p.age > frame - turn_frame).collect()
+    };
+    let (plain, changed) =
+        (plain.particles().expect("it reads"), changed.particles().expect("it reads"));
+    let newborn: Vec<_> = changed.iter().filter(|p| p.age <= frame - turn_frame).collect();
+    assert!(!newborn.is_empty());
+    assert!(newborn.iter().all(|p| p.lifetime == 3), "the turn holds from its frame on");
+    let speed = |p: &ParticleState| p.velocity.iter().map(|v| v * v).sum::<f32>().sqrt();
+    assert!(newborn.iter().all(|p| (speed(p) - 0.3).abs() < 1e-5));
+    let (plain, changed) = (older(plain), older(changed));
+    assert!(plain.len() > 20, "some were born before the turn and still live");
+    assert_eq!(plain, changed);
+}
+
+#[test]
+fn a_recording_replays_exactly_on_every_backend_and_from_any_frame() {
+    let turns = vec![
+        Turn { frame: 7, scene: turned() },
+        Turn { frame: 15, scene: scene_with("0.01", "{ mean = 9, var = 4 }", "{ mean = 0.02 }") },
+    ];
+    let plan = Plan::with_turns(&base(), &turns, 30).expect("a good plan");
+    let frames: Vec<_> = (0..26).map(|frame| plan.inputs(frame)).collect();
+    common::on_each_adapter(|name, device| {
+        let mut gpu = common::on_gpu(device, &plan, &GpuOptions::default());
+        let mut cpu = common::on_cpu(&plan);
+        common::compare_run(&frames, &mut gpu, &mut cpu)
+            .unwrap_or_else(|difference| panic!("{name}: {difference}"));
+    });
+    let (mut whole, mut entered) = (on_cpu(turns.clone()), on_cpu(turns));
+    whole.seek_from(0, 25).expect("it runs");
+    entered.seek(25).expect("it runs");
+    assert_eq!(whole.state_digest(), entered.state_digest());
+    assert_eq!(whole.particles(), entered.particles());
+}
+
+#[test]
+fn recordings_are_read_and_written_line_by_line() {
+    let text = "# faster, then slower\n\n3 system.0.speed.mean=0.2\n9  system.0.speed.mean=0.1\n";
+    let recording = Recording::parse(text, "knobs.txt").expect("a good recording");
+    let lines: Vec<_> =
+        recording.changes.iter().map(|c| (c.frame, c.set.as_str())).collect();
+    assert_eq!(lines, [(3, "system.0.speed.mean=0.2"), (9, "system.0.speed.mean=0.1")]);
+    assert_eq!(Recording::parse(&recording.to_text(), "again").as_ref(), Ok(&recording));
+    for (text, place) in [
+        ("3 speed", "knobs.txt:1: no `=`"),
+        ("\nx a=1", "knobs.txt:2: no frame number"),
+        ("5 a=1\n4 a=2", "knobs.txt:2: a frame before"),
+        ("7", "knobs.txt:1: no change"),
+    ] {
+        let error = Recording::parse(text, "knobs.txt").expect_err("a bad line");
+        assert!(error.to_string().contains(place), "{error}");
+    }
+}
+
+#[test]
+fn a_turn_may_not_change_what_holds_for_a_whole_run() {
+    let other_seed = Scene { seed: 99, ..base() };
+    let renamed = scene::parse(&SCENE.replace("only", "other"), "r.toml", "r").expect("good");
+    for scene in [other_seed, renamed] {
+        let error = Plan::with_turns(&base(), &[Turn { frame: 3, scene }], 30);
+        assert!(error.is_err_and(|e| e.message.contains("frame 3")));
+    }
+}
