@@ -14,10 +14,15 @@ use motes::scene;
 
 fn main() {
     // Cargo hands `--bench` over as well.
-    let mut words = std::env::args().skip(1).filter(|word| !word.starts_with("--"));
+    let mut words = std::env::args()
+        .skip(1)
+        .filter(|word| !word.starts_with("--"));
     let adapter = words.next().unwrap_or_else(|| "llvmpipe".into());
     let name = words.next().unwrap_or_else(|| "million".into());
-    let frames: u32 = words.next().and_then(|word| word.parse().ok()).unwrap_or(31);
+    let frames: u32 = words
+        .next()
+        .and_then(|word| word.parse().ok())
+        .unwrap_or(31);
     if let Err(e) = measure(&adapter, &name, frames) {
         eprintln!("{e}");
         std::process::exit(3);
@@ -35,7 +40,10 @@ fn line(name: &str, times: Vec<f64>, copy_ms: f64) {
         return;
     }
     let [low, median, high] = spread(times);
-    println!("{name:<24} {median:8.2} {low:8.2} {high:8.2} {:8.2}", median / copy_ms);
+    println!(
+        "{name:<24} {median:8.2} {low:8.2} {high:8.2} {:8.2}",
+        median / copy_ms
+    );
 }
 
 fn measure(adapter: &str, name: &str, frames: u32) -> Result<(), Box<dyn std::error::Error>> {
@@ -43,7 +51,10 @@ fn measure(adapter: &str, name: &str, frames: u32) -> Result<(), Box<dyn std::er
     let warm = 64;
     let plan = Plan::new(&scene, warm + frames)?;
     let device = gpu::open(adapter)?.ok_or("no such adapter")?;
-    let options = GpuOptions { timed: true, ..GpuOptions::default() };
+    let options = GpuOptions {
+        timed: true,
+        ..GpuOptions::default()
+    };
     let mut backend = GpuBackend::new(&device, &plan, &options)?;
     for frame in 0..warm {
         backend.step(&plan.inputs(frame))?;
@@ -59,7 +70,10 @@ fn measure(adapter: &str, name: &str, frames: u32) -> Result<(), Box<dyn std::er
         let inputs = plan.inputs(frame);
         let start = Instant::now();
         backend.step(&inputs)?;
-        live = backend.take_statistics()?.last().map_or(0, |line| line.live);
+        live = backend
+            .take_statistics()?
+            .last()
+            .map_or(0, |line| line.live);
         walls.0.push(start.elapsed().as_secs_f64() * 1e3);
         let start = Instant::now();
         backend.draw(&inputs)?;
@@ -68,7 +82,11 @@ fn measure(adapter: &str, name: &str, frames: u32) -> Result<(), Box<dyn std::er
         let times = backend.take_times()?;
         let mut step = 0.0;
         for (at, (kernel, ms)) in times.iter().flatten().enumerate() {
-            kernels.entry(at).or_insert((kernel, Vec::new())).1.push(*ms);
+            kernels
+                .entry(at)
+                .or_insert((kernel, Vec::new()))
+                .1
+                .push(*ms);
             if !kernel.starts_with("draw/") {
                 step += ms;
             }
@@ -77,8 +95,14 @@ fn measure(adapter: &str, name: &str, frames: u32) -> Result<(), Box<dyn std::er
         copies.extend(device.copy_times(live, 256, 1)?);
     }
     let [_, copy_ms, _] = spread(copies.clone());
-    println!("{name} on {}: {live} live, {frames} frames", device.description.name);
-    println!("{:<24} {:>8} {:>8} {:>8} {:>8}", "ms", "median", "p10", "p90", "/ copy");
+    println!(
+        "{name} on {}: {live} live, {frames} frames",
+        device.description.name
+    );
+    println!(
+        "{:<24} {:>8} {:>8} {:>8} {:>8}",
+        "ms", "median", "p10", "p90", "/ copy"
+    );
     line("copy (64 bytes each)", copies, copy_ms);
     for (kernel, times) in kernels.into_values() {
         line(kernel, times, copy_ms);

@@ -5,9 +5,7 @@ mod record;
 use crate::layout::FrameStats;
 use crate::plan::{FrameInputs, STAGES, Stage};
 
-pub use record::{
-    BindingRecord, BufferRecord, DispatchRecord, Groups, KernelRecord, StageRecord,
-};
+pub use record::{BindingRecord, BufferRecord, DispatchRecord, Groups, KernelRecord, StageRecord};
 
 /// Why a backend could not go on. All of these are the machine's fault, not the scene's.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -54,7 +52,9 @@ impl std::error::Error for BackendError {}
 /// at once on most systems: it ends the process later, without a word.
 pub(crate) fn available_bytes() -> Option<u64> {
     let text = std::fs::read_to_string("/proc/meminfo").ok()?;
-    let line = text.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
+    let line = text
+        .lines()
+        .find_map(|line| line.strip_prefix("MemAvailable:"))?;
     let kib: u64 = line.trim().trim_end_matches("kB").trim().parse().ok()?;
     Some(kib * 1024)
 }

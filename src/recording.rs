@@ -73,7 +73,9 @@ impl Recording {
             let wrong = |what: &str| RecordingError {
                 message: format!("{file}:{}: {what}: `{line}`", at + 1),
             };
-            let (frame, set) = line.split_once(char::is_whitespace).ok_or_else(|| wrong("no change"))?;
+            let (frame, set) = line
+                .split_once(char::is_whitespace)
+                .ok_or_else(|| wrong("no change"))?;
             let frame = frame.parse().map_err(|_| wrong("no frame number"))?;
             if changes.last().is_some_and(|last| last.frame > frame) {
                 return Err(wrong("a frame before the last line's"));
@@ -81,7 +83,10 @@ impl Recording {
             if !set.contains('=') {
                 return Err(wrong("no `=`"));
             }
-            changes.push(Change { frame, set: set.trim().to_owned() });
+            changes.push(Change {
+                frame,
+                set: set.trim().to_owned(),
+            });
         }
         Ok(Self { changes })
     }
@@ -104,7 +109,10 @@ impl Recording {
         let mut turns: Vec<Turn> = Vec::new();
         for change in &self.changes {
             sets.push(change.set.clone());
-            let turn = Turn { frame: change.frame, scene: scene::load_with(scene, &sets)? };
+            let turn = Turn {
+                frame: change.frame,
+                scene: scene::load_with(scene, &sets)?,
+            };
             match turns.last_mut() {
                 Some(last) if last.frame == turn.frame => *last = turn,
                 _ => turns.push(turn),
@@ -134,9 +142,12 @@ impl Checkpoint {
         let mut lines = text.splitn(4, '\n');
         let mut field = |at: usize, name: &str| {
             let line = lines.next().unwrap_or_default();
-            line.strip_prefix(name).map(str::trim).map(str::to_owned).ok_or_else(|| RecordingError {
-                message: format!("{file}:{at}: a checkpoint has `{name} …` here, not `{line}`"),
-            })
+            line.strip_prefix(name)
+                .map(str::trim)
+                .map(str::to_owned)
+                .ok_or_else(|| RecordingError {
+                    message: format!("{file}:{at}: a checkpoint has `{name} …` here, not `{line}`"),
+                })
         };
         let (scene, seed, frame) = (field(1, "scene ")?, field(2, "seed ")?, field(3, "frame ")?);
         let number = |at: usize, text: &str| RecordingError {

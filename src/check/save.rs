@@ -115,7 +115,7 @@ fn files(place: &Place, record: Option<&StageRecord>) -> String {
     let buffer = place.buffer;
     let mut text = format!(
         "\nFiles (binary ones are little-endian 32-bit words):\n\
-         expected/{buffer}.bin  the buffer's live records after the stage, as {} words\n\
+         expected/{buffer}.bin  the buffer's live records after the stage, {} words\n\
          got/{buffer}.bin       the same, as the adapter under test has them, {} words\n",
         place.expected.len(),
         place.got.len()

@@ -21,7 +21,11 @@ pub(super) fn run(args: &AdaptersArgs) -> Result<u8, CliError> {
         exact: true,
         most_binding_bytes: u64::MAX,
     });
-    print(&if args.json { json(&adapters) } else { table(&adapters) })?;
+    print(&if args.json {
+        json(&adapters)
+    } else {
+        table(&adapters)
+    })?;
     Ok(0)
 }
 

@@ -5,9 +5,10 @@ mod check;
 mod render;
 mod scenes;
 
-use std::io::Write;
+use std::io::{IsTerminal, Write};
 
 use clap::{Parser, Subcommand};
+use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::backend::BackendError;
 use crate::output::OutputError;
@@ -18,7 +19,12 @@ use crate::simulation::SimulationError;
 
 /// A headless-first particle laboratory: the same bits on every driver.
 #[derive(Debug, Parser)]
-#[command(name = "motes", version, max_term_width = 100, arg_required_else_help = true)]
+#[command(
+    name = "motes",
+    version,
+    max_term_width = 100,
+    arg_required_else_help = true
+)]
 struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -48,37 +54,55 @@ pub struct CliError {
 impl CliError {
     /// The input is at fault.
     pub fn usage(what: impl std::fmt::Display, help: impl std::fmt::Display) -> Self {
-        Self { message: format!("error: {what}\n  = help: {help}"), code: 2 }
+        Self {
+            message: format!("error: {what}\n  = help: {help}"),
+            code: 2,
+        }
     }
 }
 
 impl From<SceneError> for CliError {
     fn from(error: SceneError) -> Self {
-        Self { message: error.to_string(), code: 2 }
+        Self {
+            message: error.to_string(),
+            code: 2,
+        }
     }
 }
 
 impl From<PlanError> for CliError {
     fn from(error: PlanError) -> Self {
-        Self { message: error.to_string(), code: 2 }
+        Self {
+            message: error.to_string(),
+            code: 2,
+        }
     }
 }
 
 impl From<RecordingError> for CliError {
     fn from(error: RecordingError) -> Self {
-        Self { message: error.to_string(), code: 2 }
+        Self {
+            message: error.to_string(),
+            code: 2,
+        }
     }
 }
 
 impl From<SimulationError> for CliError {
     fn from(error: SimulationError) -> Self {
-        Self { message: error.to_string(), code: if error.is_users_fault() { 2 } else { 3 } }
+        Self {
+            message: error.to_string(),
+            code: if error.is_users_fault() { 2 } else { 3 },
+        }
     }
 }
 
 impl From<BackendError> for CliError {
     fn from(error: BackendError) -> Self {
-        Self { message: error.to_string(), code: 3 }
+        Self {
+            message: error.to_string(),
+            code: 3,
+        }
     }
 }
 
@@ -86,7 +110,11 @@ impl From<OutputError> for CliError {
     fn from(error: OutputError) -> Self {
         let code = if error.is_users_fault() { 2 } else { 3 };
         let text = error.to_string();
-        let message = if text.starts_with("error:") { text } else { format!("error: {text}") };
+        let message = if text.starts_with("error:") {
+            text
+        } else {
+            format!("error: {text}")
+        };
         Self { message, code }
     }
 }
@@ -94,10 +122,12 @@ impl From<OutputError> for CliError {
 /// Writes to standard output; a reader that has gone away is an error, not a panic.
 pub(crate) fn print(text: &str) -> Result<(), CliError> {
     let mut out = std::io::stdout().lock();
-    out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|e| CliError {
-        message: format!("error: standard output cannot be written: {e}"),
-        code: 3,
-    })
+    out.write_all(text.as_bytes())
+        .and_then(|()| out.flush())
+        .map_err(|e| CliError {
+            message: format!("error: standard output cannot be written: {e}"),
+            code: 3,
+        })
 }
 
 /// Runs the program with the process's arguments; the exit code.
@@ -122,5 +152,18 @@ pub fn main() -> u8 {
             let _ = writeln!(std::io::stderr(), "{}", e.message.trim_end());
             e.code
         }
+    }
+}
+
+/// Progress with rate and time left on a terminal, nothing in a pipe.
+pub(crate) fn progress_bar(frames: u32) -> ProgressBar {
+    if !std::io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} frames, {per_sec}, {eta} left");
+    let bar = ProgressBar::new(u64::from(frames));
+    match style {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
     }
 }

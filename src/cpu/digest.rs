@@ -25,6 +25,9 @@ pub fn digest(words: &[u32], vectors_per_record: usize) -> u64 {
             }
             sums
         })
-        .reduce(|| (0, 0), |a, b| (a.0.wrapping_add(b.0), a.1.wrapping_add(b.1)));
+        .reduce(
+            || (0, 0),
+            |a, b| (a.0.wrapping_add(b.0), a.1.wrapping_add(b.1)),
+        );
     u64::from(low) | (u64::from(high) << 32)
 }

@@ -17,7 +17,7 @@ pub fn steps_of(light: f32) -> u32 {
 /// The light that the two limbs hold.
 #[inline]
 pub fn light_of(low: u32, high: u32) -> f32 {
-    let fraction = f32_of_u32(low & 0xfff) * 0.000_000_953_674_316_406_25;
+    let fraction = f32_of_u32(low & 0xfff) * 9.536_743e-7;
     let middle = f32_of_u32(low >> 12) * 0.003_906_25;
     f32_of_u32(high.min(0x00ff_ffff)) * 4096.0 + (middle + fraction)
 }
@@ -38,7 +38,11 @@ impl LightSums {
         let channels = width as usize * height as usize * 3;
         let mut sums = Vec::with_capacity(channels);
         sums.resize_with(channels, AtomicU64::default);
-        Self { width, height, sums }
+        Self {
+            width,
+            height,
+            sums,
+        }
     }
 
     /// Makes it dark again.

@@ -52,9 +52,11 @@ impl CpuBackend {
                 .map_err(|e| BackendError::Internal(format!("threads cannot be started: {e}")))
         };
         let mut particles = Vec::new();
-        particles.try_reserve(plan.capacity.min(1 << 20) as usize).map_err(|_| {
-            BackendError::OutOfMemory(format!("a pool of {} particles", plan.capacity))
-        })?;
+        particles
+            .try_reserve(plan.capacity.min(1 << 20) as usize)
+            .map_err(|_| {
+                BackendError::OutOfMemory(format!("a pool of {} particles", plan.capacity))
+            })?;
         let pixels = plan.width as usize * plan.height as usize;
         Ok(Self {
             rows: vec![SystemRow::default(); (plan.system_count * plan.row_count) as usize],
@@ -80,19 +82,21 @@ impl CpuBackend {
             Stage::Splat => {
                 self.light.clear();
                 let (rows, light) = (&self.rows, &self.light);
-                self.particles
-                    .par_chunks(CHUNK / 8)
-                    .for_each(|chunk| {
-                        for particle in chunk {
-                            draw::splat::splat(particle, inputs, rows, light);
-                        }
-                    });
+                self.particles.par_chunks(CHUNK / 8).for_each(|chunk| {
+                    for particle in chunk {
+                        draw::splat::splat(particle, inputs, rows, light);
+                    }
+                });
             }
             Stage::Resolve => {
                 let light = &self.light;
-                self.image.par_iter_mut().with_min_len(4096).enumerate().for_each(
-                    |(pixel, out)| *out = draw::resolve::resolve(&inputs.frame, light, pixel),
-                );
+                self.image
+                    .par_iter_mut()
+                    .with_min_len(4096)
+                    .enumerate()
+                    .for_each(|(pixel, out)| {
+                        *out = draw::resolve::resolve(&inputs.frame, light, pixel)
+                    });
             }
         }
         Ok(())
@@ -105,8 +109,7 @@ impl CpuBackend {
         }
         (self.birth_counts, self.birth_offsets) = systems::births::births(inputs);
         let requested = self.birth_offsets.last().copied().unwrap_or(0);
-        self.counts =
-            systems::births::book(self.counts.live, requested, inputs.frame.capacity);
+        self.counts = systems::births::book(self.counts.live, requested, inputs.frame.capacity);
     }
 
     fn emit(&mut self, inputs: &FrameInputs) -> Result<(), BackendError> {
@@ -115,8 +118,10 @@ impl CpuBackend {
         grow(&mut self.particles, self.counts.total as usize)?;
         for (slot, system) in inputs.systems.iter().enumerate() {
             let room = |offset: u32| offset.min(self.counts.born) as usize;
-            let (start, end) =
-                (room(self.birth_offsets[slot]), room(self.birth_offsets[slot + 1]));
+            let (start, end) = (
+                room(self.birth_offsets[slot]),
+                room(self.birth_offsets[slot + 1]),
+            );
             let slot = slot as u32;
             let row = self.rows[row_index(slot, frame.frame, frame.row_mask)];
             self.particles[live + start..live + end]
@@ -239,10 +244,18 @@ impl Backend for CpuBackend {
             "counts" => bytemuck::cast_slice(&[self.counts]).to_vec(),
             "particles" => bytemuck::cast_slice(&self.particles).to_vec(),
             "alive_bits" => self.alive_bits.clone(),
-            "light_low" => (0..self.light.len()).map(|at| self.light.limbs(at).0).collect(),
-            "light_high" => (0..self.light.len()).map(|at| self.light.limbs(at).1).collect(),
+            "light_low" => (0..self.light.len())
+                .map(|at| self.light.limbs(at).0)
+                .collect(),
+            "light_high" => (0..self.light.len())
+                .map(|at| self.light.limbs(at).1)
+                .collect(),
             "image" => self.image.clone(),
-            _ => return Err(BackendError::Internal(format!("no state buffer `{buffer}`"))),
+            _ => {
+                return Err(BackendError::Internal(format!(
+                    "no state buffer `{buffer}`"
+                )));
+            }
         })
     }
 

@@ -37,7 +37,9 @@ fn instance() -> wgpu::Instance {
     // WGPU_VALIDATION=1 turns the driver's own validation layer on.
     descriptor.flags = wgpu::InstanceFlags::empty().with_env();
     // Kernels clamp the arguments of indirect dispatches themselves.
-    descriptor.flags.remove(wgpu::InstanceFlags::VALIDATION_INDIRECT_CALL);
+    descriptor
+        .flags
+        .remove(wgpu::InstanceFlags::VALIDATION_INDIRECT_CALL);
     wgpu::Instance::new(descriptor)
 }
 
@@ -48,7 +50,11 @@ fn describe(adapter: &wgpu::Adapter) -> AdapterDescription {
         name: info.name.clone(),
         driver: driver.trim().to_owned(),
         backend: info.backend.to_str().to_owned(),
-        kind: if info.device_type == wgpu::DeviceType::Cpu { "software" } else { "hardware" },
+        kind: if info.device_type == wgpu::DeviceType::Cpu {
+            "software"
+        } else {
+            "hardware"
+        },
         exact: takes_spirv(adapter),
         most_binding_bytes: adapter.limits().max_storage_buffer_binding_size,
     }
@@ -56,15 +62,18 @@ fn describe(adapter: &wgpu::Adapter) -> AdapterDescription {
 
 fn takes_spirv(adapter: &wgpu::Adapter) -> bool {
     adapter.get_info().backend == wgpu::Backend::Vulkan
-        && adapter.features().contains(wgpu::Features::PASSTHROUGH_SHADERS)
+        && adapter
+            .features()
+            .contains(wgpu::Features::PASSTHROUGH_SHADERS)
 }
 
 /// Adapters that can run kernels: hardware first, then software.
 fn usable(instance: &wgpu::Instance) -> Vec<wgpu::Adapter> {
-    let mut adapters: Vec<_> = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::PRIMARY))
-        .into_iter()
-        .filter(|adapter| adapter.features().contains(wgpu::Features::IMMEDIATES))
-        .collect();
+    let mut adapters: Vec<_> =
+        pollster::block_on(instance.enumerate_adapters(wgpu::Backends::PRIMARY))
+            .into_iter()
+            .filter(|adapter| adapter.features().contains(wgpu::Features::IMMEDIATES))
+            .collect();
     adapters.sort_by_key(|adapter| match adapter.get_info().device_type {
         wgpu::DeviceType::DiscreteGpu => 0,
         wgpu::DeviceType::IntegratedGpu => 1,
@@ -89,7 +98,9 @@ pub fn open(name: &str) -> Result<Option<GpuDevice>, BackendError> {
     let wanted = name.to_lowercase();
     let found = usable(&instance()).into_iter().find(|adapter| {
         let info = adapter.get_info();
-        format!("{} {}", info.name, info.driver).to_lowercase().contains(&wanted)
+        format!("{} {}", info.name, info.driver)
+            .to_lowercase()
+            .contains(&wanted)
     });
     found.map(|adapter| open_adapter(&adapter)).transpose()
 }
@@ -126,7 +137,12 @@ fn open_adapter(adapter: &wgpu::Adapter) -> Result<GpuDevice, BackendError> {
             keep_first(&on_loss, BackendError::DeviceLost(message));
         }
     });
-    Ok(GpuDevice { description, device, queue, failure })
+    Ok(GpuDevice {
+        description,
+        device,
+        queue,
+        failure,
+    })
 }
 
 fn keep_first(slot: &Mutex<Option<BackendError>>, failure: BackendError) {

@@ -42,19 +42,71 @@ enum Work {
 
 /// Every kernel of a frame in order; reading it is reading the frame on a device.
 pub static STAGE_KERNELS: &[KernelUse] = &[
-    KernelUse { stage: Stage::Births, kernel: "systems/births", work: Work::Systems },
-    KernelUse { stage: Stage::Births, kernel: "systems/offsets", work: Work::Once },
-    KernelUse { stage: Stage::Emit, kernel: "particles/emit", work: Work::NewbornPages },
-    KernelUse { stage: Stage::Cull, kernel: "particles/cull", work: Work::PresentPages },
-    KernelUse { stage: Stage::Advance, kernel: "scan/count_bits", work: Work::Listed(0) },
-    KernelUse { stage: Stage::Advance, kernel: "scan/sum_runs", work: Work::Listed(1) },
-    KernelUse { stage: Stage::Advance, kernel: "scan/survivors", work: Work::Once },
-    KernelUse { stage: Stage::Advance, kernel: "scan/spread_runs", work: Work::Listed(1) },
-    KernelUse { stage: Stage::Advance, kernel: "scan/spread_bits", work: Work::Listed(0) },
-    KernelUse { stage: Stage::Advance, kernel: "scan/pages", work: Work::Once },
-    KernelUse { stage: Stage::Advance, kernel: "particles/advance", work: Work::PagePairs },
-    KernelUse { stage: Stage::Splat, kernel: "draw/splat", work: Work::LivePages },
-    KernelUse { stage: Stage::Resolve, kernel: "draw/resolve", work: Work::Pixels },
+    KernelUse {
+        stage: Stage::Births,
+        kernel: "systems/births",
+        work: Work::Systems,
+    },
+    KernelUse {
+        stage: Stage::Births,
+        kernel: "systems/offsets",
+        work: Work::Once,
+    },
+    KernelUse {
+        stage: Stage::Emit,
+        kernel: "particles/emit",
+        work: Work::NewbornPages,
+    },
+    KernelUse {
+        stage: Stage::Cull,
+        kernel: "particles/cull",
+        work: Work::PresentPages,
+    },
+    KernelUse {
+        stage: Stage::Advance,
+        kernel: "scan/count_bits",
+        work: Work::Listed(0),
+    },
+    KernelUse {
+        stage: Stage::Advance,
+        kernel: "scan/sum_runs",
+        work: Work::Listed(1),
+    },
+    KernelUse {
+        stage: Stage::Advance,
+        kernel: "scan/survivors",
+        work: Work::Once,
+    },
+    KernelUse {
+        stage: Stage::Advance,
+        kernel: "scan/spread_runs",
+        work: Work::Listed(1),
+    },
+    KernelUse {
+        stage: Stage::Advance,
+        kernel: "scan/spread_bits",
+        work: Work::Listed(0),
+    },
+    KernelUse {
+        stage: Stage::Advance,
+        kernel: "scan/pages",
+        work: Work::Once,
+    },
+    KernelUse {
+        stage: Stage::Advance,
+        kernel: "particles/advance",
+        work: Work::PagePairs,
+    },
+    KernelUse {
+        stage: Stage::Splat,
+        kernel: "draw/splat",
+        work: Work::LivePages,
+    },
+    KernelUse {
+        stage: Stage::Resolve,
+        kernel: "draw/resolve",
+        work: Work::Pixels,
+    },
 ];
 
 /// Records that an invocation of the digest takes.
@@ -112,7 +164,10 @@ impl GpuBackend {
         workgroup_size: u32,
     ) -> Result<Vec<Command>, BackendError> {
         let mut commands = Vec::new();
-        for kernel_use in STAGE_KERNELS.iter().filter(|kernel_use| kernel_use.stage == stage) {
+        for kernel_use in STAGE_KERNELS
+            .iter()
+            .filter(|kernel_use| kernel_use.stage == stage)
+        {
             self.expand_kernel(kernel_use, current, plan, workgroup_size, &mut commands)?;
         }
         Ok(commands)
@@ -149,13 +204,28 @@ impl GpuBackend {
             Work::Pixels => push(0, 0, &[], direct((plan.width * plan.height).div_ceil(4))),
             Work::Listed(at) => push(0, 0, &[], Size::Indirect(at)),
             Work::NewbornPages => (0..paging.page_count).try_for_each(|page| {
-                push(page as usize, 0, &[page], Size::Indirect(paging.emit_dispatch(page)))
+                push(
+                    page as usize,
+                    0,
+                    &[page],
+                    Size::Indirect(paging.emit_dispatch(page)),
+                )
             }),
             Work::PresentPages => (0..paging.page_count).try_for_each(|page| {
-                push(page as usize, 0, &[page], Size::Indirect(paging.cull_dispatch(page)))
+                push(
+                    page as usize,
+                    0,
+                    &[page],
+                    Size::Indirect(paging.cull_dispatch(page)),
+                )
             }),
             Work::LivePages => (0..paging.page_count).try_for_each(|page| {
-                push(page as usize, 0, &[page], Size::Indirect(paging.splat_dispatch(page)))
+                push(
+                    page as usize,
+                    0,
+                    &[page],
+                    Size::Indirect(paging.splat_dispatch(page)),
+                )
             }),
             Work::PagePairs => (0..paging.page_count).try_for_each(|source| {
                 (0..=source).try_for_each(|target| {
@@ -191,12 +261,20 @@ impl GpuBackend {
                 resource: buffer.as_entire_binding(),
             });
         }
-        let group = self.gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some(kernel_name),
-            layout: &kernel.layout,
-            entries: &entries,
-        });
-        Ok(Command { kernel: kernel_name, group, immediates: immediates.to_vec(), size })
+        let group = self
+            .gpu
+            .device
+            .create_bind_group(&wgpu::BindGroupDescriptor {
+                label: Some(kernel_name),
+                layout: &kernel.layout,
+                entries: &entries,
+            });
+        Ok(Command {
+            kernel: kernel_name,
+            group,
+            immediates: immediates.to_vec(),
+            size,
+        })
     }
 
     /// The digest of the living in pool `current`.
@@ -205,14 +283,22 @@ impl GpuBackend {
         self.memory.pools[current]
             .iter()
             .enumerate()
-            .map(|(page, buffer)| self.digest_command(buffer, page as u32 * page_len, page_len, 2, true))
+            .map(|(page, buffer)| {
+                self.digest_command(buffer, page as u32 * page_len, page_len, 2, true)
+            })
             .collect()
     }
 
     /// The digest of the image, four pixels a record.
     pub(super) fn image_digest_commands(&self) -> Result<Vec<Command>, BackendError> {
         let image = self.memory.named("image")?;
-        Ok(vec![self.digest_command(image, 0, self.pixels.div_ceil(4), 1, false)?])
+        Ok(vec![self.digest_command(
+            image,
+            0,
+            self.pixels.div_ceil(4),
+            1,
+            false,
+        )?])
     }
 
     fn digest_command(
@@ -223,7 +309,11 @@ impl GpuBackend {
         vectors_per_record: u32,
         live_only: bool,
     ) -> Result<Command, BackendError> {
-        let pages = Pages { particles: None, survivors: None, words: Some(words) };
+        let pages = Pages {
+            particles: None,
+            survivors: None,
+            words: Some(words),
+        };
         let (x, y) = dispatch_for(records.div_ceil(DIGEST_RUN), self.workgroup_size);
         let immediates = [first, records, vectors_per_record, 0, u32::from(live_only)];
         self.command("digest/digest", &pages, &immediates, Size::Direct(x, y))

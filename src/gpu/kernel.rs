@@ -29,9 +29,17 @@ pub fn check_binding(binding: &Binding) -> Result<(), String> {
         return Ok(());
     }
     let Some(declared) = buffer(&binding.name) else {
-        return Err(format!("{place}: no buffer is declared under the name `{}`", binding.name));
+        return Err(format!(
+            "{place}: no buffer is declared under the name `{}`",
+            binding.name
+        ));
     };
-    let Buffer { name, record, stride, .. } = declared;
+    let Buffer {
+        name,
+        record,
+        stride,
+        ..
+    } = declared;
     let shape = &binding.shape;
     let type_name = shape
         .type_name
@@ -114,7 +122,11 @@ fn layout_entry(binding: &Binding) -> wgpu::BindGroupLayoutEntry {
     wgpu::BindGroupLayoutEntry {
         binding: binding.binding,
         visibility: wgpu::ShaderStages::COMPUTE,
-        ty: wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None },
+        ty: wgpu::BindingType::Buffer {
+            ty,
+            has_dynamic_offset: false,
+            min_binding_size: None,
+        },
         count: None,
     }
 }

@@ -28,7 +28,10 @@ impl Paging {
         let fits = (most_bytes / PARTICLE_BYTES).min(1 << 28) as u32 / PAGE_GRAIN * PAGE_GRAIN;
         let needed = capacity.div_ceil(PAGE_GRAIN) * PAGE_GRAIN;
         let page_len = fits.max(PAGE_GRAIN).min(needed);
-        Self { page_len, page_count: capacity.div_ceil(page_len) }
+        Self {
+            page_len,
+            page_count: capacity.div_ceil(page_len),
+        }
     }
 
     /// Dispatches that kernels write: two for the scan, three for each page, one for each pair of
@@ -66,7 +69,11 @@ pub(super) struct Memory {
 
 impl Memory {
     /// Allocates everything, zeroed.
-    pub(super) fn new(gpu: &GpuDevice, plan: &Plan, most_page_bytes: u64) -> Result<Self, BackendError> {
+    pub(super) fn new(
+        gpu: &GpuDevice,
+        plan: &Plan,
+        most_page_bytes: u64,
+    ) -> Result<Self, BackendError> {
         if gpu.description.kind == "software" {
             check_available(plan)?;
         }
@@ -102,7 +109,9 @@ impl Memory {
             if matches!(declared.count, Count::ParticlesOver(1)) {
                 continue;
             }
-            let records = declared.records(plan).unwrap_or_else(|| paging.dispatches());
+            let records = declared
+                .records(plan)
+                .unwrap_or_else(|| paging.dispatches());
             let size = u64::from(records) * u64::from(declared.stride);
             named.insert(declared.name, allocate(declared.name, size)?);
         }
@@ -115,7 +124,12 @@ impl Memory {
             )),
             other => other,
         })?;
-        Ok(Self { paging, pools, named, bytes })
+        Ok(Self {
+            paging,
+            pools,
+            named,
+            bytes,
+        })
     }
 
     /// Every buffer, those of the pools included.

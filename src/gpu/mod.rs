@@ -2,7 +2,7 @@
 //!
 //! [`shader`] turns WGSL into kernels, pure and without a device; `kernel` puts one on a device and
 //! finds its buffers by name; `memory` holds the buffers; `commands` expands the plan's stages into
-//! dispatches; `readback` brings statistics and state home. All `unsafe` is in `raw`.
+//! dispatches and `run` submits them; `readback` brings statistics and state home. All `unsafe` is in `raw`.
 
 mod adapter;
 mod commands;
@@ -13,6 +13,7 @@ mod probe;
 mod raw;
 mod readback;
 mod record;
+mod run;
 pub mod shader;
 mod timing;
 mod yardstick;
@@ -20,7 +21,7 @@ mod yardstick;
 use std::collections::{HashMap, VecDeque};
 
 use crate::backend::{Backend, BackendError, StageRecord};
-use crate::layout::{Counts, Frame, FrameStats};
+use crate::layout::FrameStats;
 use crate::plan::{FrameInputs, Plan, STAGES, Stage};
 use commands::Command;
 use kernel::Kernel;
@@ -72,9 +73,6 @@ fn switches_off(plan: &Plan) -> Vec<&'static str> {
     .collect()
 }
 
-/// Frames that may be under way on the device at once.
-const FRAMES_IN_FLIGHT: usize = 3;
-
 /// The state of a run on a device.
 pub struct GpuBackend {
     gpu: GpuDevice,
@@ -102,13 +100,25 @@ impl GpuBackend {
     /// # Errors
     /// The plan does not fit the adapter, memory runs out, or the driver refuses a kernel.
     pub fn new(gpu: &GpuDevice, plan: &Plan, options: &GpuOptions) -> Result<Self, BackendError> {
-        let workgroup_size = if options.workgroup_size == 0 { 256 } else { options.workgroup_size };
-        let most_page_bytes = if options.page_bytes == 0 { u64::MAX } else { options.page_bytes };
+        let workgroup_size = if options.workgroup_size == 0 {
+            256
+        } else {
+            options.workgroup_size
+        };
+        let most_page_bytes = if options.page_bytes == 0 {
+            u64::MAX
+        } else {
+            options.page_bytes
+        };
         let memory = Memory::new(gpu, plan, most_page_bytes)?;
         let mut kernels = HashMap::new();
         let off = switches_off(plan);
         let exact = gpu.description.exact && !options.plain;
-        let form = if exact { KernelForm::Spirv } else { KernelForm::Wgsl };
+        let form = if exact {
+            KernelForm::Spirv
+        } else {
+            KernelForm::Wgsl
+        };
         for source in shader::sources::KERNELS {
             let mutate = options
                 .mutation
@@ -117,10 +127,18 @@ impl GpuBackend {
                 .map(|mutation| mutation.change);
             let compiled = shader::compile(
                 source.name,
-                &shader::CompileOptions { workgroup_size, checked: options.checked, off: &off, mutate },
+                &shader::CompileOptions {
+                    workgroup_size,
+                    checked: options.checked,
+                    off: &off,
+                    mutate,
+                },
             )
             .map_err(|e| BackendError::Internal(e.to_string()))?;
-            kernels.insert(source.name, Kernel::new(gpu, &compiled, form, options.checked)?);
+            kernels.insert(
+                source.name,
+                Kernel::new(gpu, &compiled, form, options.checked)?,
+            );
         }
         let mut backend = Self {
             gpu: gpu.clone(),
@@ -166,114 +184,6 @@ impl GpuBackend {
             None => Ok(Vec::new()),
         }
     }
-
-    fn upload(&self, inputs: &FrameInputs) -> Result<(), BackendError> {
-        let queue = &self.gpu.queue;
-        let frame = Frame {
-            page_len: self.memory.paging.page_len,
-            page_count: self.memory.paging.page_count,
-            ..inputs.frame
-        };
-        queue.write_buffer(self.memory.named("frame")?, 0, bytemuck::bytes_of(&frame));
-        queue.write_buffer(
-            self.memory.named("system_frames")?,
-            0,
-            bytemuck::cast_slice(&inputs.systems),
-        );
-        let rows = self.memory.named("rows")?;
-        for (slot, row) in inputs.rows.iter().enumerate() {
-            let at = slot as u32 * self.row_count + frame.frame % self.row_count;
-            queue.write_buffer(rows, u64::from(at) * size_of_val(row) as u64, bytemuck::bytes_of(row));
-        }
-        Ok(())
-    }
-
-    /// Submits the stages' dispatches in order.
-    fn submit(&mut self, stages: &[Stage], inputs: &FrameInputs) -> Result<(), BackendError> {
-        self.submit_kernels(stages, |_| true, inputs)
-    }
-
-    /// Submits those of the stages' dispatches whose kernel is `wanted`; a stage is over with its
-    /// last kernel.
-    fn submit_kernels(
-        &mut self,
-        stages: &[Stage],
-        wanted: impl Fn(&str) -> bool,
-        inputs: &FrameInputs,
-    ) -> Result<(), BackendError> {
-        self.upload(inputs)?;
-        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
-        let mut timed = self.timer.as_mut().map(Timer::frame);
-        for &stage in stages {
-            if stage == Stage::Splat {
-                self.memory.clear_light(&mut encoder)?;
-            }
-            let dispatches = self.memory.named("dispatches")?;
-            let all = &self.commands[self.current][&stage];
-            let commands = all.iter().filter(|command| wanted(command.kernel));
-            match &mut timed {
-                None => {
-                    let mut pass = encoder.begin_compute_pass(&Default::default());
-                    for command in commands {
-                        command.encode(&mut pass, &self.kernels, dispatches);
-                    }
-                }
-                Some(timed) => {
-                    for command in commands {
-                        let mut pass = encoder.begin_compute_pass(&timed.pass(command.kernel));
-                        command.encode(&mut pass, &self.kernels, dispatches);
-                    }
-                }
-            }
-            if all.last().is_some_and(|last| !wanted(last.kernel)) {
-                continue;
-            }
-            match stage {
-                Stage::Emit => self.newborns_present = true,
-                Stage::Advance => {
-                    self.newborns_present = false;
-                    self.current = 1 - self.current;
-                    self.ring.stepped(&self.gpu, &self.memory, &mut encoder, inputs.frame.frame)?;
-                }
-                _ => {}
-            }
-        }
-        if let Some(timed) = timed {
-            timed.resolve(&mut encoder);
-        }
-        let submission = self.gpu.queue.submit([encoder.finish()]);
-        self.ring.submitted();
-        self.in_flight.push_back(submission);
-        if self.in_flight.len() > FRAMES_IN_FLIGHT {
-            let oldest = self.in_flight.pop_front();
-            self.gpu
-                .device
-                .poll(wgpu::PollType::Wait { submission_index: oldest, timeout: None })
-                .map_err(|e| BackendError::DeviceLost(e.to_string()))?;
-        }
-        self.gpu.check()
-    }
-
-    fn counts(&self) -> Result<Counts, BackendError> {
-        let words = readback::words(&self.gpu, self.memory.named("counts")?, size_of::<Counts>() as u64)?;
-        Ok(bytemuck::pod_read_unaligned(bytemuck::cast_slice(&words)))
-    }
-
-    fn digest_of(&mut self, commands: &[Command], at: usize) -> Result<u64, BackendError> {
-        let digest = self.memory.named("digest")?;
-        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
-        encoder.clear_buffer(digest, 0, None);
-        {
-            let mut pass = encoder.begin_compute_pass(&Default::default());
-            let dispatches = self.memory.named("dispatches")?;
-            for command in commands {
-                command.encode(&mut pass, &self.kernels, dispatches);
-            }
-        }
-        self.gpu.queue.submit([encoder.finish()]);
-        let words = readback::words(&self.gpu, digest, 16)?;
-        Ok(u64::from(words[at]) | (u64::from(words[at + 1]) << 32))
-    }
 }
 
 impl Backend for GpuBackend {
@@ -291,7 +201,10 @@ impl Backend for GpuBackend {
     }
 
     fn step(&mut self, inputs: &FrameInputs) -> Result<(), BackendError> {
-        self.submit(&[Stage::Births, Stage::Emit, Stage::Cull, Stage::Advance], inputs)
+        self.submit(
+            &[Stage::Births, Stage::Emit, Stage::Cull, Stage::Advance],
+            inputs,
+        )
     }
 
     fn draw(&mut self, inputs: &FrameInputs) -> Result<(), BackendError> {
@@ -301,7 +214,11 @@ impl Backend for GpuBackend {
     fn read(&mut self, buffer: &str) -> Result<Vec<u32>, BackendError> {
         let counts = self.counts()?;
         if buffer == "particles" {
-            let mut left = u64::from(if self.newborns_present { counts.total } else { counts.live }) * 32;
+            let mut left = u64::from(if self.newborns_present {
+                counts.total
+            } else {
+                counts.live
+            }) * 32;
             let mut words = Vec::new();
             for page in &self.memory.pools[self.current] {
                 let here = left.min(page.size());

@@ -37,7 +37,11 @@ impl GpuDevice {
         invocations: u32,
     ) -> Result<Vec<u32>, BackendError> {
         let is_output = |access| access == Access::ReadWrite;
-        let outputs = kernel.bindings.iter().filter(|b| is_output(b.access)).count();
+        let outputs = kernel
+            .bindings
+            .iter()
+            .filter(|b| is_output(b.access))
+            .count();
         if outputs != 1 || kernel.bindings.len() != inputs.len() + 1 || kernel.immediate_size != 0 {
             return Err(BackendError::Unsupported(format!(
                 "kernel `{}` with {} bindings, {outputs} of them read-write, and {} bytes of \
@@ -96,14 +100,19 @@ impl GpuDevice {
 
     fn filled(&self, name: &str, access: Access, words: &[u32]) -> wgpu::Buffer {
         use wgpu::BufferUsages as Usage;
-        let kind = if access == Access::Uniform { Usage::UNIFORM } else { Usage::STORAGE };
+        let kind = if access == Access::Uniform {
+            Usage::UNIFORM
+        } else {
+            Usage::STORAGE
+        };
         let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some(name),
             size: (words.len() as u64 * 4).next_multiple_of(16).max(16),
             usage: kind | Usage::COPY_DST | Usage::COPY_SRC,
             mapped_at_creation: false,
         });
-        self.queue.write_buffer(&buffer, 0, bytemuck::cast_slice(words));
+        self.queue
+            .write_buffer(&buffer, 0, bytemuck::cast_slice(words));
         buffer
     }
 }
@@ -116,7 +125,9 @@ impl GpuBackend {
     /// No stage has such a kernel, or the device fails.
     pub fn run_kernel(&mut self, kernel: &str, inputs: &FrameInputs) -> Result<(), BackendError> {
         let Some(found) = STAGE_KERNELS.iter().find(|other| other.kernel == kernel) else {
-            return Err(BackendError::Unsupported(format!("no stage has a kernel `{kernel}`")));
+            return Err(BackendError::Unsupported(format!(
+                "no stage has a kernel `{kernel}`"
+            )));
         };
         self.submit_kernels(&[found.stage], |other| other == kernel, inputs)?;
         self.gpu.wait()

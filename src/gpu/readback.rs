@@ -21,7 +21,11 @@ const LINE: u64 = size_of::<FrameStats>() as u64;
 const CALL_BACK: Duration = Duration::from_secs(60);
 
 /// The first `bytes` (a multiple of 4) of a buffer, after all submitted work.
-pub(super) fn words(gpu: &GpuDevice, buffer: &wgpu::Buffer, bytes: u64) -> Result<Vec<u32>, BackendError> {
+pub(super) fn words(
+    gpu: &GpuDevice,
+    buffer: &wgpu::Buffer,
+    bytes: u64,
+) -> Result<Vec<u32>, BackendError> {
     if bytes == 0 {
         return Ok(Vec::new());
     }
@@ -53,10 +57,12 @@ struct Mapping {
 impl Mapping {
     fn begin(buffer: wgpu::Buffer) -> Self {
         let (send, done) = mpsc::channel();
-        buffer.slice(..).map_async(wgpu::MapMode::Read, move |result| {
-            // Nobody listens any more when the run has been given up: nothing is lost.
-            let _ = send.send(result);
-        });
+        buffer
+            .slice(..)
+            .map_async(wgpu::MapMode::Read, move |result| {
+                // Nobody listens any more when the run has been given up: nothing is lost.
+                let _ = send.send(result);
+            });
         Self { buffer, done }
     }
 
@@ -111,7 +117,9 @@ impl StatisticsRing {
         memory: &Memory,
         encoder: &mut wgpu::CommandEncoder,
     ) -> Result<(), BackendError> {
-        let Some(first) = self.first.take() else { return Ok(()) };
+        let Some(first) = self.first.take() else {
+            return Ok(());
+        };
         // Frames since the last fetch lie within one half, so they do not wrap.
         let bytes = u64::from(self.end - first) * LINE;
         let target = staging(gpu, bytes);
@@ -123,7 +131,8 @@ impl StatisticsRing {
 
     /// Notes that the encoder has been submitted.
     pub(super) fn submitted(&mut self) {
-        self.mappings.extend(self.copied.drain(..).map(Mapping::begin));
+        self.mappings
+            .extend(self.copied.drain(..).map(Mapping::begin));
     }
 
     /// All lines since the last call; waits for the device.

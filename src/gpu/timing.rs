@@ -29,7 +29,11 @@ pub(super) struct TimedFrame<'a> {
 impl Timer {
     /// `None` where the adapter has no timestamps.
     pub(super) fn new(gpu: &GpuDevice) -> Option<Self> {
-        if !gpu.device.features().contains(wgpu::Features::TIMESTAMP_QUERY) {
+        if !gpu
+            .device
+            .features()
+            .contains(wgpu::Features::TIMESTAMP_QUERY)
+        {
             return None;
         }
         Some(Self {
@@ -63,14 +67,19 @@ impl Timer {
             .chunks_exact(2)
             .map(|pair| u64::from(pair[0]) | (u64::from(pair[1]) << 32))
             .collect();
-        let mut spans = stamps.chunks_exact(2).map(|span| {
-            span[1].saturating_sub(span[0]) as f64 * self.period_ns * 1e-6
-        });
+        let mut spans = stamps
+            .chunks_exact(2)
+            .map(|span| span[1].saturating_sub(span[0]) as f64 * self.period_ns * 1e-6);
         self.used = 0;
         Ok(self
             .frames
             .drain(..)
-            .map(|kernels| kernels.into_iter().map_while(|kernel| Some((kernel, spans.next()?))).collect())
+            .map(|kernels| {
+                kernels
+                    .into_iter()
+                    .map_while(|kernel| Some((kernel, spans.next()?)))
+                    .collect()
+            })
             .collect())
     }
 }

@@ -22,14 +22,22 @@ impl GpuDevice {
         workgroup_size: u32,
         repeats: u32,
     ) -> Result<Vec<f64>, BackendError> {
-        let Some(mut timer) = Timer::new(self) else { return Ok(Vec::new()) };
+        let Some(mut timer) = Timer::new(self) else {
+            return Ok(Vec::new());
+        };
         let compiled = shader::compile(
             "bench/copy",
-            &CompileOptions { workgroup_size, ..CompileOptions::default() },
+            &CompileOptions {
+                workgroup_size,
+                ..CompileOptions::default()
+            },
         )
         .map_err(|e| BackendError::Internal(e.to_string()))?;
-        let form =
-            if self.description.exact { KernelForm::Spirv } else { KernelForm::Wgsl };
+        let form = if self.description.exact {
+            KernelForm::Spirv
+        } else {
+            KernelForm::Wgsl
+        };
         let kernel = Kernel::unchecked_bindings(self, &compiled, form, false)?;
         let buffers = ["source", "destination"].map(|label| {
             self.device.create_buffer(&wgpu::BufferDescriptor {
@@ -40,8 +48,11 @@ impl GpuDevice {
             })
         });
         // Random words: a copy of zeros can be quicker than one of data.
-        let words: Vec<u32> = (0..records * 8).map(|at| at.wrapping_mul(0x9e37_79b9)).collect();
-        self.queue.write_buffer(&buffers[0], 0, bytemuck::cast_slice(&words));
+        let words: Vec<u32> = (0..records * 8)
+            .map(|at| at.wrapping_mul(0x9e37_79b9))
+            .collect();
+        self.queue
+            .write_buffer(&buffers[0], 0, bytemuck::cast_slice(&words));
         let group = self.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("copy"),
             layout: &kernel.layout,

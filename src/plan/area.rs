@@ -16,7 +16,8 @@ pub fn screen_area_px(frame: &Frame, system: SystemFrame, bounding_radius: f32) 
         system.world_from_system_y[3],
         system.world_from_system_z[3],
     ];
-    let view = |row: [f32; 4]| row[0] * origin[0] + row[1] * origin[1] + row[2] * origin[2] + row[3];
+    let view =
+        |row: [f32; 4]| row[0] * origin[0] + row[1] * origin[1] + row[2] * origin[2] + row[3];
     let depth = view(frame.view_from_world_z);
     if depth < frame.near {
         return 0.0;

@@ -40,14 +40,18 @@ pub(super) fn capacity(
     let mut changes = vec![0i64; frame_end as usize + 2];
     let mut steps = 0u64;
     for (at, variant) in variants.iter().enumerate() {
-        let until = variants.get(at + 1).map_or(frame_end, |next| next.first_frame.min(frame_end));
+        let until = variants
+            .get(at + 1)
+            .map_or(frame_end, |next| next.first_frame.min(frame_end));
         for system in &variant.systems {
             let first = variant.first_frame.max(system.first_frame);
             let last = system.end_frame.map_or(until, |end| end.min(until));
             for frame in first..last {
                 steps += 1;
                 if steps > MOST_STEPS {
-                    return Err(unknown("this scene is too long to bound its particles".into()));
+                    return Err(unknown(
+                        "this scene is too long to bound its particles".into(),
+                    ));
                 }
                 let births = births_bound(variant, system, frame);
                 if births == 0 && system.births.delta_mean_parts <= 0.0 {
@@ -89,5 +93,9 @@ fn births_bound(variant: &Variant, system: &PlannedSystem, frame: u32) -> i64 {
     };
     let most = (f64::from(mean) + f64::from(var)) * scale;
     // Births are below 2^24 a system and frame.
-    if most <= 0.0 { 0 } else { (most.ceil() as i64 + 1).min(1 << 24) }
+    if most <= 0.0 {
+        0
+    } else {
+        (most.ceil() as i64 + 1).min(1 << 24)
+    }
 }

@@ -76,7 +76,10 @@ impl Uses {
 
     /// Whether inputs of the caller's making use no more than this.
     pub fn cover(self, inputs: &FrameInputs) -> bool {
-        inputs.rows.iter().all(|row| self.and(Self::of(row)) == self)
+        inputs
+            .rows
+            .iter()
+            .all(|row| self.and(Self::of(row)) == self)
     }
 }
 
@@ -172,9 +175,20 @@ impl Plan {
 
 fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
     let names = |scene: &Scene| -> Vec<String> {
-        scene.systems.iter().map(|system| system.name.clone()).collect()
+        scene
+            .systems
+            .iter()
+            .map(|system| system.name.clone())
+            .collect()
     };
-    let fixed = |scene: &Scene| (scene.image.width, scene.image.height, scene.seed, scene.capacity);
+    let fixed = |scene: &Scene| {
+        (
+            scene.image.width,
+            scene.image.height,
+            scene.seed,
+            scene.capacity,
+        )
+    };
     if names(scene) != names(&turn.scene) || fixed(scene) != fixed(&turn.scene) {
         return Err(PlanError {
             message: format!(

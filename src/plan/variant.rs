@@ -103,7 +103,13 @@ fn rotation_columns(degrees: [f32; 2]) -> [[f32; 3]; 3] {
 fn planned_system(system: &System, seed: u64) -> PlannedSystem {
     let columns = rotation_columns(system.rotation_degrees);
     let row = |i: usize| {
-        [columns[0][i], columns[1][i], columns[2][i], system.position[i]].map(snap)
+        [
+            columns[0][i],
+            columns[1][i],
+            columns[2][i],
+            system.position[i],
+        ]
+        .map(snap)
     };
     // The inverse of a rotation is its transpose: a column's product with the world vector.
     let [ax, ay, az] = system.acceleration;
@@ -184,8 +190,14 @@ fn system_row(system: &System) -> SystemRow {
 /// A system's key: every particle's identity begins with it.
 fn system_key(seed: u64, name: &str) -> u32 {
     // FNV-1a of the name, so that a system keeps its particles when others come before it.
-    let name_hash = name
-        .bytes()
-        .fold(0x811c_9dc5u32, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193));
-    pcg4d(UVec4::new(seed as u32, (seed >> 32) as u32, name_hash, KEY_TAG)).x
+    let name_hash = name.bytes().fold(0x811c_9dc5u32, |hash, byte| {
+        (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)
+    });
+    pcg4d(UVec4::new(
+        seed as u32,
+        (seed >> 32) as u32,
+        name_hash,
+        KEY_TAG,
+    ))
+    .x
 }

@@ -27,12 +27,22 @@ fn swap(expression: &mut Expression, from: BinaryOperator, to: BinaryOperator) -
 /// Makes the last addition of the kernel's entry point a subtraction.
 fn subtract_last(module: &mut Module) {
     let expressions = &mut module.entry_points[0].function.expressions;
-    let last = expressions
-        .iter_mut()
-        .filter(|(_, e)| matches!(e, Expression::Binary { op: BinaryOperator::Add, .. }))
-        .last();
+    let is_addition = |e: &Expression| {
+        matches!(
+            e,
+            Expression::Binary {
+                op: BinaryOperator::Add,
+                ..
+            }
+        )
+    };
+    let last = expressions.iter_mut().rfind(|(_, e)| is_addition(e));
     let (_, expression) = last.expect("the kernel adds");
-    assert!(swap(expression, BinaryOperator::Add, BinaryOperator::Subtract));
+    assert!(swap(
+        expression,
+        BinaryOperator::Add,
+        BinaryOperator::Subtract
+    ));
 }
 
 /// The scene that reaches every branch of the kernels.
@@ -56,10 +66,16 @@ fn compare_with_mutant(
         &mut || Ok(Box::new(common::on_cpu(plan))),
         &mut || {
             let mutation = Some(Mutation { kernel, change });
-            let options = GpuOptions { mutation, ..GpuOptions::default() };
+            let options = GpuOptions {
+                mutation,
+                ..GpuOptions::default()
+            };
             Ok(Box::new(common::on_gpu(&device, plan, &options)))
         },
-        &CompareOptions { frames, record: true },
+        &CompareOptions {
+            frames,
+            record: true,
+        },
         &mut |frame| seen.push(frame),
     )
     .expect("the machine does not fail");

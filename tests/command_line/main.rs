@@ -2,9 +2,11 @@
 //! output and what to standard error, and what lies on the disk afterwards. All on the processor, so
 //! that a machine without a Vulkan driver passes too.
 
+mod readme;
 mod refused;
 mod render;
 mod streams;
+mod unwritable;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

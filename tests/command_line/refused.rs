@@ -5,7 +5,12 @@ use crate::{Ended, Workplace};
 
 /// Runs the program, which must end with `code`, say all of `said` on standard error, print nothing,
 /// and leave the folder's files as they were.
-fn refused(workplace: &Workplace, arguments: &[&str], code: i32, said: &[&str]) -> Ended {
+pub(crate) fn refused(
+    workplace: &Workplace,
+    arguments: &[&str],
+    code: i32,
+    said: &[&str],
+) -> Ended {
     let before = workplace.files();
     let ended = workplace.run(arguments);
     let told = format!("motes {}\n{}", arguments.join(" "), ended.stderr);
@@ -26,7 +31,7 @@ fn refused(workplace: &Workplace, arguments: &[&str], code: i32, said: &[&str]) 
 }
 
 /// As [`refused`], rendering `sparks.toml` on the processor; the input is at fault.
-fn render_refused(workplace: &Workplace, arguments: &[&str], said: &[&str]) {
+pub(crate) fn render_refused(workplace: &Workplace, arguments: &[&str], said: &[&str]) {
     let all = [&["render", "sparks.toml", "--adapter", "cpu"], arguments].concat();
     refused(workplace, &all, 2, said);
 }
@@ -253,63 +258,4 @@ fn a_wrong_recording_is_answered_with_file_and_line() {
         &["--inputs", "none.txt"],
         &["none.txt", "No such file"],
     );
-}
-
-#[test]
-fn what_fails_on_the_way_leaves_nothing_half_written() {
-    let here = Workplace::new();
-    // The dump's folder is a file, which is found out at frame 3.
-    let dump = ["--dump", "3", "--dump-dir", "sparks.toml/dump"];
-    let out = ["-o", "a.gif", "--stats", "s.csv"];
-    render_refused(
-        &here,
-        &[&out[..], &dump[..]].concat(),
-        &["sparks.toml/dump", "is a file"],
-    );
-    // What stood there before still stands there.
-    here.write("a.gif", "precious");
-    render_refused(
-        &here,
-        &[&out[..], &dump[..]].concat(),
-        &["sparks.toml/dump"],
-    );
-    assert_eq!(here.read("a.gif"), b"precious");
-}
-
-#[cfg(target_os = "linux")]
-#[test]
-fn a_machine_that_refuses_to_write_ends_in_exit_code_3() {
-    let here = Workplace::new();
-    let render = ["render", "sparks.toml", "--adapter", "cpu", "--frame", "0"];
-    // The kernel's own tree takes no files, from nobody.
-    let on = |more: &[&'static str]| [&render[..], more].concat();
-    refused(
-        &here,
-        &on(&["-o", "/sys/motes.png"]),
-        3,
-        &["/sys/motes.png", "you may write to"],
-    );
-    refused(
-        &here,
-        &on(&["-o", "/sys/motes"]),
-        3,
-        &["/sys/motes", "you may write to"],
-    );
-    refused(
-        &here,
-        &on(&["-o", "/sys/motes.gif"]),
-        3,
-        &["/sys/motes.gif"],
-    );
-    // A disk that is always full.
-    let ended = here.run(&on(&["-o", "a.png", "--stats", "/dev/full"]));
-    assert_eq!(ended.code, 3, "{}", ended.stderr);
-    assert!(
-        ended
-            .stderr
-            .contains("/dev/full: cannot write: No space left"),
-        "{}",
-        ended.stderr
-    );
-    assert!(ended.stderr.contains("make room"), "{}", ended.stderr);
 }

@@ -9,7 +9,7 @@ const FULL: f64 = 64.0;
 /// Pictures of one particle, each `shift_px` further along (x, y), from a start that is on no
 /// pixel's middle or edge.
 fn pictures(on: &str, lines: &str, (x, y): (f64, f64), shift_px: f64) -> Vec<Light> {
-    let count = if on == "cpu" { 17 } else { 5 };
+    let count = if on == "cpu" { 9 } else { 3 };
     (0..count)
         .map(|step| {
             let along = shift_px * f64::from(step);
@@ -39,13 +39,14 @@ fn faults(on: &str, lines: &str, slope: f64) -> Vec<String> {
             let offs = pictures.iter().map(|picture| (picture.total(0) / first - 1.0).abs());
             let off = offs.fold(0.0, f64::max);
             let change = most_change(&pictures) / FULL / (shift_px * (x + y.abs()));
+            let moved = pictures.first() != pictures.last();
             let what = format!(
                 "along ({x}, {y}), {shift_px} px a frame: light off by {:.3} %, a pixel changes \
-                 by {change:.3} of the full colour a pixel",
+                 by {change:.3} of the full colour a pixel, moved: {moved}",
                 100.0 * off
             );
             // Steps of light are rounded, which shows in the smallest changes.
-            if off > 0.01 || change > slope + 1e-4 || change == 0.0 {
+            if off > 0.01 || change > slope + 1e-4 || !(moved || shift_px < 0.1) {
                 faults.push(format!("{lines}\n{what}\n"));
             }
         }
@@ -57,16 +58,16 @@ fn assert_none(faults: &[String]) {
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
 }
 
-/// A disc's edge falls off over one pixel, and the gain that keeps its light constant is at most
-/// a quarter more where it stands askew (radius 0.6). An exact area would change by at most 1.
-const DISC_SLOPE: f64 = 1.25;
+/// A disc's edge falls off over one pixel, and a gain keeps its light constant. Together their
+/// slope is at most 1.57 (at radius 0.68, by a scan over radii and places); an exact area's is 1.
+const DISC_SLOPE: f64 = 1.6;
 
 #[test]
 fn r38_discs_are_steady() {
     on_every_backend(|on| {
         let sizes = [
-            0.6, 0.2, 0.05, 0.4, 0.5, 0.57, 0.65, 0.8, 1.0, 1.12, 1.13, 1.5, 2.0, 2.5, 3.0, 3.7, 3.99,
-            4.01, 6.3, 11.0,
+            0.68, 0.2, 0.05, 0.4, 0.5, 0.57, 0.6, 0.65, 0.8, 1.0, 1.1, 1.12, 1.13, 1.5, 2.0, 2.5, 3.0,
+            3.7, 3.99, 4.01, 6.3, 11.0,
         ];
         let discs = sample(on, &sizes).iter().map(|size| format!("size = {size}"));
         assert_none(&discs.flat_map(|lines| faults(on, &lines, DISC_SLOPE)).collect::<Vec<_>>());
@@ -94,7 +95,7 @@ fn r38_streaks_are_steady() {
             ("[-17, 90]", 14.0),
             ("[-61, 90]", 0.4),
         ];
-        for &size in sample(on, &[0.1, 1.0, 0.5, 0.7, 2.0, 4.5]) {
+        for &size in &[0.1, 1.0, 0.6, 4.5][..if on == "cpu" { 4 } else { 1 }] {
             for &(rotation, speed) in sample(on, &motions) {
                 for light in ["conserved", "constant"] {
                     found.extend(faults(

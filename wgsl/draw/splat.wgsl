@@ -192,7 +192,9 @@ fn splat_capsule(
 
     var gain = 1.0f;
     let conserves = conserved || !moves;
-    if conserves && (moves || less(radius_px, LARGE_RADIUS_PX)) {
+    // Else the sum would lack what is cut off.
+    let guarded = -GUARD_PX <= first && last <= major_size + GUARD_PX;
+    if (moves && (conserved || guarded)) || (!moves && less(radius_px, LARGE_RADIUS_PX)) {
         var sum = 0.0f;
         let guarded_last = min(last, major_size + GUARD_PX);
         for (var major = max(first, -GUARD_PX); major < guarded_last; major += 1) {
@@ -201,7 +203,10 @@ fn splat_capsule(
                 sum += weight_at(capsule, major, minor);
             }
         }
-        let scaled = PI * radius_px * radius_px * reciprocal(sum);
+        // A streak that is not conserved has the area it sweeps, a line's at least a pixel wide.
+        let broad_px = select(max_exact(radius_px, 0.5f), radius_px, conserves);
+        let swept = select(2.0f * broad_px * (length_squared * inverse_length), 0.0f, conserves);
+        let scaled = (PI * broad_px * broad_px + swept) * reciprocal(sum);
         let half = 0.5f * LARGE_RADIUS_PX;
         let share = clamp_exact((radius_px - half) * 0.5f, 0.0f, 1.0f);
         gain = select(scaled + share * (1.0f - scaled), scaled, moves);
@@ -309,10 +314,13 @@ fn splat(@builtin(global_invocation_id) global_id: vec3<u32>) {
         splat_rectangle(start, radius_px, color);
         return;
     }
-    let edge = edged_radius(radius_px) + 0.5f;
+    // A streak of full light is a line of its own width, or a pixel's.
+    let conserved = kinds.y != PARTICLE_STREAK || kinds.z != STREAK_CONSTANT;
+    let broad_px = max_exact(radius_px, 0.5f);
+    let edge = select(broad_px, edged_radius(radius_px), conserved) + 0.5f;
     if kinds.y != PARTICLE_STREAK && less(edge, SMALL_REACH_PX) {
         splat_small_disc(start, radius_px, edge, color);
     } else {
-        splat_capsule(start, end, radius_px, edge, color, kinds.z != STREAK_CONSTANT);
+        splat_capsule(start, end, radius_px, edge, color, conserved);
     }
 }

@@ -16,7 +16,7 @@ fn steps_of(light: f32) -> u32 {
 
 // The light that the two limbs hold, rounded to single precision once or twice.
 fn light_of(low: u32, high: u32) -> f32 {
-    let fraction = f32_of_u32(low & 0xfffu) * 0.00000095367431640625f;
+    let fraction = f32_of_u32(low & 0xfffu) * 9.536743e-7f;
     let middle = f32_of_u32(low >> 12u) * 0.00390625f;
     return f32_of_u32(min(high, 0xffffffu)) * 4096.0f + (middle + fraction);
 }

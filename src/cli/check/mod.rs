@@ -9,7 +9,7 @@ mod tests;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use super::render::progress_bar;
+use super::progress_bar;
 use super::{CliError, print};
 use crate::check::{self, CompareOptions, Outcome, SavedFor, compare, default_frames, shrunk};
 use crate::output::write_whole;

@@ -93,8 +93,7 @@ impl Capsule {
     fn weight_at(&self, major: i32, minor: i32) -> f32 {
         let dx = f32_of_i32(major) + 0.5 - self.start_major;
         let dy = f32_of_i32(minor) + 0.5 - self.start_minor;
-        let along =
-            (dx * self.along_major + dy * self.along_minor) * self.inverse_length_squared;
+        let along = (dx * self.along_major + dy * self.along_minor) * self.inverse_length_squared;
         let t = clamp_exact(along, 0.0, 1.0);
         let ex = dx - t * self.along_major;
         let ey = dy - t * self.along_minor;
@@ -105,16 +104,21 @@ impl Capsule {
     /// First and one past the last pixel whose centre is within the reach, on the minor axis.
     #[inline]
     fn minor_range(&self, major: i32) -> (i32, i32) {
-        let middle =
-            self.start_minor + (f32_of_i32(major) + 0.5 - self.start_major) * self.slope;
-        (to_i32(middle - self.minor_reach), to_i32(middle + self.minor_reach) + 1)
+        let middle = self.start_minor + (f32_of_i32(major) + 0.5 - self.start_major) * self.slope;
+        (
+            to_i32(middle - self.minor_reach),
+            to_i32(middle + self.minor_reach) + 1,
+        )
     }
 }
 
 /// The radius whose edge, one pixel wide, gives the area of a disc of `radius_px`.
 #[inline]
 fn edged_radius(radius_px: f32) -> f32 {
-    max_exact(square_root(max_exact(radius_px * radius_px - 0.083_333_333, 0.0)), 0.5)
+    max_exact(
+        square_root(max_exact(radius_px * radius_px - 0.083_333_333, 0.0)),
+        0.5,
+    )
 }
 
 fn splat_capsule(
@@ -134,26 +138,39 @@ fn splat_capsule(
     let along_minor = if steep { dx } else { dy };
     let inverse_length = inverse_square_root(length_squared);
     let moves = less(0.0001, length_squared);
-    let slope = if moves { along_minor * reciprocal(along_major) } else { 0.0 };
+    let slope = if moves {
+        along_minor * reciprocal(along_major)
+    } else {
+        0.0
+    };
     let capsule = Capsule {
         start_major: if steep { start.y } else { start.x },
         start_minor: if steep { start.x } else { start.y },
         along_major,
         along_minor,
-        inverse_length_squared: if moves { inverse_length * inverse_length } else { 0.0 },
+        inverse_length_squared: if moves {
+            inverse_length * inverse_length
+        } else {
+            0.0
+        },
         reach,
         minor_reach: reach * square_root(1.0 + slope * slope),
         slope,
     };
     let end_major = capsule.start_major + if moves { along_major } else { 0.0 };
     let (width, height) = (light.width as i32, light.height as i32);
-    let (major_size, minor_size) = if steep { (height, width) } else { (width, height) };
+    let (major_size, minor_size) = if steep {
+        (height, width)
+    } else {
+        (width, height)
+    };
     let first = to_i32(min_exact(capsule.start_major, end_major) - reach);
     let last = to_i32(max_exact(capsule.start_major, end_major) + reach) + 1;
 
     let mut gain = 1.0;
     let conserves = conserved || !moves;
-    if conserves && (moves || less(radius_px, LARGE_RADIUS_PX)) {
+    let guarded = -GUARD_PX <= first && last <= major_size + GUARD_PX;
+    if (moves && (conserved || guarded)) || (!moves && less(radius_px, LARGE_RADIUS_PX)) {
         let mut sum = 0.0;
         for major in first.max(-GUARD_PX)..last.min(major_size + GUARD_PX) {
             let (low, high) = capsule.minor_range(major);
@@ -161,17 +178,35 @@ fn splat_capsule(
                 sum += capsule.weight_at(major, minor);
             }
         }
-        let scaled = PI * radius_px * radius_px * reciprocal(sum);
+        let broad_px = if conserves {
+            radius_px
+        } else {
+            max_exact(radius_px, 0.5)
+        };
+        let swept = if conserves {
+            0.0
+        } else {
+            2.0 * broad_px * (length_squared * inverse_length)
+        };
+        let scaled = (PI * broad_px * broad_px + swept) * reciprocal(sum);
         let half = 0.5 * LARGE_RADIUS_PX;
         let share = clamp_exact((radius_px - half) * 0.5, 0.0, 1.0);
-        gain = if moves { scaled } else { scaled + share * (1.0 - scaled) };
+        gain = if moves {
+            scaled
+        } else {
+            scaled + share * (1.0 - scaled)
+        };
     }
     for major in first.max(0)..last.min(major_size) {
         let (low, high) = capsule.minor_range(major);
         for minor in low.max(0)..high.min(minor_size) {
             let weight = capsule.weight_at(major, minor) * gain;
             if less(0.0, weight) {
-                let (x, y) = if steep { (minor, major) } else { (major, minor) };
+                let (x, y) = if steep {
+                    (minor, major)
+                } else {
+                    (major, minor)
+                };
                 add_light(light, x, y, color, weight);
             }
         }
@@ -180,13 +215,7 @@ fn splat_capsule(
 
 /// A disc at rest whose edge reaches at most 1.5 pixels covers nothing but the nine pixels around
 /// its centre's.
-fn splat_small_disc(
-    light: &LightSums,
-    center: Projected,
-    radius_px: f32,
-    reach: f32,
-    color: Vec3,
-) {
+fn splat_small_disc(light: &LightSums, center: Projected, radius_px: f32, reach: f32, color: Vec3) {
     let left = to_i32(center.x) - 1;
     let top = to_i32(center.y) - 1;
     let mut weights = [0.0; 9];
@@ -268,11 +297,16 @@ pub fn splat(particle: &Particle, inputs: &FrameInputs, rows: &[SystemRow], ligh
         splat_rectangle(light, start, radius_px, color);
         return;
     }
-    let edge = edged_radius(radius_px) + 0.5;
+    let conserved = particle_shape != PARTICLE_STREAK || streak_light != STREAK_CONSTANT;
+    let broad_px = max_exact(radius_px, 0.5);
+    let edge = (if conserved {
+        edged_radius(radius_px)
+    } else {
+        broad_px
+    }) + 0.5;
     if particle_shape != PARTICLE_STREAK && less(edge, SMALL_REACH_PX) {
         splat_small_disc(light, start, radius_px, edge, color);
     } else {
-        let conserved = streak_light != STREAK_CONSTANT;
         splat_capsule(light, start, end, radius_px, edge, color, conserved);
     }
 }

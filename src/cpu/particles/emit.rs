@@ -35,7 +35,11 @@ pub fn emit(who: Identity, slot: u32, row: &SystemRow) -> Particle {
         if shape == SHAPE_CIRCLE {
             let distance = square_root(unit_float(place.x)) * extents[0];
             let turns = unit_float(place.y);
-            position = Vec3::new(distance * cos_turns(turns), distance * sin_turns(turns), 0.0);
+            position = Vec3::new(
+                distance * cos_turns(turns),
+                distance * sin_turns(turns),
+                0.0,
+            );
         } else {
             position = Vec3::new(
                 signed_float(place.x) * extents[0],

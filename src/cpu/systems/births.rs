@@ -12,11 +12,22 @@ pub const MOST_BIRTHS: i32 = 16_777_215;
 
 /// Births that the system asks for in `frame` (Reeves 1983, 2.1).
 pub fn births_of(system: &SystemFrame, frame: u32) -> u32 {
-    let who = Identity { key: system.key, birth_frame: frame, index: 0 };
+    let who = Identity {
+        key: system.key,
+        birth_frame: frame,
+        index: 0,
+    };
     let random = draw(who, STREAM_BIRTHS);
     let wanted = system.mean_parts + signed_float(random.x) * system.var_parts;
     let stochastic = system.stochastic_rounding == 1;
-    let count = to_i32(wanted + if stochastic { unit_float(random.y) } else { 0.5 });
+    let count = to_i32(
+        wanted
+            + if stochastic {
+                unit_float(random.y)
+            } else {
+                0.5
+            },
+    );
     count.clamp(0, MOST_BIRTHS) as u32
 }
 

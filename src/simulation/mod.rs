@@ -1,9 +1,13 @@
 //! The library's front door: a scene under way on an adapter.
 
-use crate::backend::{Backend, BackendError};
+mod error;
+
+pub use error::SimulationError;
+
+use crate::backend::Backend;
 use crate::cpu::CpuBackend;
 use crate::cpu::draw::splat::world_of;
-use crate::cpu::particle::{draw, identity_of, lifetime_of, row_index, STREAM_PLACE};
+use crate::cpu::particle::{STREAM_PLACE, draw, identity_of, lifetime_of, row_index};
 use crate::exact::dot3;
 use crate::gpu::{self, AdapterDescription, GpuBackend, GpuOptions};
 use crate::layout::{FrameStats, Particle, SystemRow};
@@ -49,57 +53,6 @@ pub struct Options<'a> {
     pub threads: Option<usize>,
 }
 
-/// Why a simulation could not begin or go on.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum SimulationError {
-    /// The scene asks for what cannot be planned.
-    Plan(PlanError),
-    /// There is no adapter of that name.
-    NoAdapter {
-        /// What was asked for.
-        wanted: String,
-        /// What there is.
-        available: Vec<String>,
-    },
-    /// The machine failed.
-    Backend(BackendError),
-}
-
-impl SimulationError {
-    /// Whether the input is at fault and not the machine.
-    pub fn is_users_fault(&self) -> bool {
-        !matches!(self, Self::Backend(_))
-    }
-}
-
-impl std::fmt::Display for SimulationError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Plan(e) => e.fmt(f),
-            Self::Backend(e) => e.fmt(f),
-            Self::NoAdapter { wanted, available } => write!(
-                f,
-                "error: no adapter's name or driver contains `{wanted}`\n  = help: there are {}",
-                available.join(", ")
-            ),
-        }
-    }
-}
-
-impl std::error::Error for SimulationError {}
-
-impl From<BackendError> for SimulationError {
-    fn from(error: BackendError) -> Self {
-        Self::Backend(error)
-    }
-}
-
-impl From<PlanError> for SimulationError {
-    fn from(error: PlanError) -> Self {
-        Self::Plan(error)
-    }
-}
-
 /// A live particle, for people: world space, units a frame, frames.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParticleState {
@@ -128,7 +81,10 @@ pub struct Simulation {
 
 /// The names of all adapters that a choice can name.
 pub fn adapter_names() -> Vec<String> {
-    let mut names: Vec<_> = gpu::adapters().into_iter().map(|adapter| adapter.name).collect();
+    let mut names: Vec<_> = gpu::adapters()
+        .into_iter()
+        .map(|adapter| adapter.name)
+        .collect();
     names.push("cpu".into());
     names
 }
@@ -165,7 +121,12 @@ impl Simulation {
 
     /// On a backend of the caller's making.
     pub fn with_backend(plan: Plan, backend: Box<dyn Backend>) -> Self {
-        Self { plan, backend, inputs: None, next_frame: 0 }
+        Self {
+            plan,
+            backend,
+            inputs: None,
+            next_frame: 0,
+        }
     }
 
     /// The plan that it follows.
@@ -266,7 +227,9 @@ impl Simulation {
     /// # Errors
     /// The machine fails.
     pub fn particles(&mut self) -> Result<Vec<ParticleState>, SimulationError> {
-        let Some(inputs) = &self.inputs else { return Ok(Vec::new()) };
+        let Some(inputs) = &self.inputs else {
+            return Ok(Vec::new());
+        };
         let words = self.backend.read("particles")?;
         let particles: Vec<Particle> = bytemuck::pod_collect_to_vec(&words);
         // Rows of earlier frames, as far back as a particle can have been born.

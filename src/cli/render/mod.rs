@@ -1,21 +1,17 @@
 //! `motes render`: a scene becomes pictures, an animation, statistics and dumps.
 
+mod job;
+
 use std::collections::BTreeMap;
-use std::io::IsTerminal;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use indicatif::{ProgressBar, ProgressStyle};
-
 use super::CliError;
-use crate::layout::FrameStats;
-use crate::output::{
-    FrameSink, Measured, OutputTarget, ParticleCounts, ParticleRecord, Rgba8Image, StatsRow,
-    StatsWriter, dump_path, write_particles,
-};
+use crate::output::{FrameSink, OutputTarget, StatsWriter};
 use crate::recording::Recording;
-use crate::scene::{self, Scene, SceneError};
+use crate::scene::{self, SceneError};
 use crate::simulation::{AdapterChoice, Options, Simulation};
+use job::Job;
 
 /// Arguments of `motes render`.
 #[derive(Debug, clap::Args)]
@@ -105,7 +101,10 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
     if let Some(frame) = args.dump.iter().find(|frame| !frames.contains(frame)) {
         return Err(CliError::usage(
             format!("frame {frame} is to be dumped but is not rendered"),
-            format!("frames are {}..{}; say others with --frames", frames.start, frames.end),
+            format!(
+                "frames are {}..{}; say others with --frames",
+                frames.start, frames.end
+            ),
         ));
     }
     let target = match &args.output {
@@ -162,14 +161,19 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
         );
     }
     // As it was asked for: a pattern's own path would be that of frame 0, drawn or not.
-    let place = args.output.unwrap_or_else(|| target.path().display().to_string());
+    let place = args
+        .output
+        .unwrap_or_else(|| target.path().display().to_string());
     eprintln!("motes: wrote {place}");
     Ok(0)
 }
 
 fn recording_of(path: &Path) -> Result<Recording, CliError> {
     let text = std::fs::read_to_string(path).map_err(|e| {
-        CliError::usage(format!("{} cannot be read: {e}", path.display()), "name a text file")
+        CliError::usage(
+            format!("{} cannot be read: {e}", path.display()),
+            "name a text file",
+        )
     })?;
     Ok(Recording::parse(&text, &path.display().to_string())?)
 }
@@ -179,118 +183,4 @@ fn refused_change(error: SceneError, path: &Path) -> CliError {
     let mut told = CliError::from(error);
     told.message += &format!("\n   = note: the change stands in {}", path.display());
     told
-}
-
-/// What is written while frames go by.
-struct Job<'a> {
-    sink: FrameSink,
-    stats: Option<StatsWriter>,
-    dumps: &'a [u32],
-    dump_dir: &'a Path,
-    image_digests: BTreeMap<u32, u64>,
-    state_digests: BTreeMap<u32, u64>,
-}
-
-impl Job<'_> {
-    /// Renders the frames; how many births were dropped.
-    fn run(
-        &mut self,
-        simulation: &mut Simulation,
-        scene: &Scene,
-        frames: &Range<u32>,
-    ) -> Result<u64, CliError> {
-        let first = simulation.plan().restart_frame(frames.start);
-        let progress = progress_bar(frames.end - first);
-        let mut dropped = 0;
-        for frame in first..frames.end {
-            simulation.seek_from(first, frame)?;
-            if frames.contains(&frame) {
-                self.frame(simulation, scene, frame)?;
-            }
-            // Half of the ring: statistics are never lost, and seldom waited for.
-            if (frame - first) % 100 == 99 || frame + 1 == frames.end {
-                let lines = simulation.take_statistics()?;
-                dropped += lines.iter().map(|line| u64::from(line.dropped)).sum::<u64>();
-                self.write_stats(&lines, frames)?;
-            }
-            progress.inc(1);
-        }
-        progress.finish_and_clear();
-        Ok(dropped)
-    }
-
-    fn frame(&mut self, simulation: &mut Simulation, scene: &Scene, frame: u32) -> Result<(), CliError> {
-        simulation.draw()?;
-        let image = Rgba8Image {
-            width: scene.image.width,
-            height: scene.image.height,
-            pixels: simulation.image()?,
-        };
-        self.sink.write_frame(frame, &image)?;
-        if self.stats.is_some() {
-            self.state_digests.insert(frame, simulation.state_digest()?);
-            self.image_digests.insert(frame, simulation.image_digest()?);
-        }
-        if self.dumps.contains(&frame) {
-            let records: Vec<ParticleRecord> = simulation
-                .particles()?
-                .into_iter()
-                .map(|p| ParticleRecord {
-                    position: p.position,
-                    velocity: p.velocity,
-                    age: p.age,
-                    lifetime: p.lifetime,
-                    system: p.system,
-                    id: p.id,
-                })
-                .collect();
-            write_particles(&dump_path(self.dump_dir, "particles", frame), &records)?;
-        }
-        Ok(())
-    }
-
-    fn write_stats(&mut self, lines: &[FrameStats], frames: &Range<u32>) -> Result<(), CliError> {
-        let Some(stats) = &mut self.stats else { return Ok(()) };
-        for line in lines.iter().filter(|line| frames.contains(&line.frame)) {
-            stats.row(&StatsRow {
-                frame: line.frame,
-                population: "particles",
-                measured: Measured::Particles(ParticleCounts {
-                    requested: line.requested.into(),
-                    born: line.born.into(),
-                    died: line.died.into(),
-                    live: line.live.into(),
-                    dropped: line.dropped.into(),
-                }),
-                digest: self.state_digests.remove(&line.frame),
-            })?;
-            stats.row(&StatsRow {
-                frame: line.frame,
-                population: "image",
-                measured: Measured::Image,
-                digest: self.image_digests.remove(&line.frame),
-            })?;
-        }
-        Ok(())
-    }
-
-    fn finish(self) -> Result<crate::output::Written, CliError> {
-        let written = self.sink.finish()?;
-        if let Some(stats) = self.stats {
-            stats.finish()?;
-        }
-        Ok(written)
-    }
-}
-
-pub(super) fn progress_bar(frames: u32) -> ProgressBar {
-    if !std::io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} frames, {per_sec}, {eta} left");
-    let bar = ProgressBar::new(u64::from(frames));
-    match style {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
-    }
 }

@@ -1,0 +1,126 @@
+//! What is written while frames go by.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::path::Path;
+
+use crate::cli::{CliError, progress_bar};
+use crate::layout::FrameStats;
+use crate::output::{
+    FrameSink, Measured, ParticleCounts, ParticleRecord, Rgba8Image, StatsRow, StatsWriter,
+    Written, dump_path, write_particles,
+};
+use crate::scene::Scene;
+use crate::simulation::Simulation;
+
+/// What is written while frames go by.
+pub(super) struct Job<'a> {
+    pub(super) sink: FrameSink,
+    pub(super) stats: Option<StatsWriter>,
+    pub(super) dumps: &'a [u32],
+    pub(super) dump_dir: &'a Path,
+    pub(super) image_digests: BTreeMap<u32, u64>,
+    pub(super) state_digests: BTreeMap<u32, u64>,
+}
+
+impl Job<'_> {
+    /// Renders the frames; how many births were dropped.
+    pub(super) fn run(
+        &mut self,
+        simulation: &mut Simulation,
+        scene: &Scene,
+        frames: &Range<u32>,
+    ) -> Result<u64, CliError> {
+        let first = simulation.plan().restart_frame(frames.start);
+        let progress = progress_bar(frames.end - first);
+        let mut dropped = 0;
+        for frame in first..frames.end {
+            simulation.seek_from(first, frame)?;
+            if frames.contains(&frame) {
+                self.frame(simulation, scene, frame)?;
+            }
+            // Half of the ring: statistics are never lost, and seldom waited for.
+            if (frame - first) % 100 == 99 || frame + 1 == frames.end {
+                let lines = simulation.take_statistics()?;
+                dropped += lines
+                    .iter()
+                    .map(|line| u64::from(line.dropped))
+                    .sum::<u64>();
+                self.write_stats(&lines, frames)?;
+            }
+            progress.inc(1);
+        }
+        progress.finish_and_clear();
+        Ok(dropped)
+    }
+
+    fn frame(
+        &mut self,
+        simulation: &mut Simulation,
+        scene: &Scene,
+        frame: u32,
+    ) -> Result<(), CliError> {
+        simulation.draw()?;
+        let image = Rgba8Image {
+            width: scene.image.width,
+            height: scene.image.height,
+            pixels: simulation.image()?,
+        };
+        self.sink.write_frame(frame, &image)?;
+        if self.stats.is_some() {
+            self.state_digests.insert(frame, simulation.state_digest()?);
+            self.image_digests.insert(frame, simulation.image_digest()?);
+        }
+        if self.dumps.contains(&frame) {
+            let records: Vec<ParticleRecord> = simulation
+                .particles()?
+                .into_iter()
+                .map(|p| ParticleRecord {
+                    position: p.position,
+                    velocity: p.velocity,
+                    age: p.age,
+                    lifetime: p.lifetime,
+                    system: p.system,
+                    id: p.id,
+                })
+                .collect();
+            write_particles(&dump_path(self.dump_dir, "particles", frame), &records)?;
+        }
+        Ok(())
+    }
+
+    fn write_stats(&mut self, lines: &[FrameStats], frames: &Range<u32>) -> Result<(), CliError> {
+        let Some(stats) = &mut self.stats else {
+            return Ok(());
+        };
+        for line in lines.iter().filter(|line| frames.contains(&line.frame)) {
+            stats.row(&StatsRow {
+                frame: line.frame,
+                population: "particles",
+                measured: Measured::Particles(ParticleCounts {
+                    requested: line.requested.into(),
+                    born: line.born.into(),
+                    died: line.died.into(),
+                    live: line.live.into(),
+                    dropped: line.dropped.into(),
+                }),
+                digest: self.state_digests.remove(&line.frame),
+            })?;
+            stats.row(&StatsRow {
+                frame: line.frame,
+                population: "image",
+                measured: Measured::Image,
+                digest: self.image_digests.remove(&line.frame),
+            })?;
+        }
+        Ok(())
+    }
+
+    pub(super) fn finish(self) -> Result<Written, CliError> {
+        let written = self.sink.finish()?;
+        if let Some(stats) = self.stats {
+            stats.finish()?;
+        }
+        Ok(written)
+    }
+}

@@ -1,0 +1,141 @@
+//! A frame's dispatches on their way to the device, a few frames ahead of it.
+
+use super::commands::Command;
+use super::timing::Timer;
+use super::{GpuBackend, readback};
+use crate::backend::BackendError;
+use crate::layout::{Counts, Frame};
+use crate::plan::{FrameInputs, Stage};
+
+/// Frames that may be under way on the device at once.
+const FRAMES_IN_FLIGHT: usize = 3;
+
+impl GpuBackend {
+    pub(super) fn upload(&self, inputs: &FrameInputs) -> Result<(), BackendError> {
+        let queue = &self.gpu.queue;
+        let frame = Frame {
+            page_len: self.memory.paging.page_len,
+            page_count: self.memory.paging.page_count,
+            ..inputs.frame
+        };
+        queue.write_buffer(self.memory.named("frame")?, 0, bytemuck::bytes_of(&frame));
+        queue.write_buffer(
+            self.memory.named("system_frames")?,
+            0,
+            bytemuck::cast_slice(&inputs.systems),
+        );
+        let rows = self.memory.named("rows")?;
+        for (slot, row) in inputs.rows.iter().enumerate() {
+            let at = slot as u32 * self.row_count + frame.frame % self.row_count;
+            queue.write_buffer(
+                rows,
+                u64::from(at) * size_of_val(row) as u64,
+                bytemuck::bytes_of(row),
+            );
+        }
+        Ok(())
+    }
+
+    /// Submits the stages' dispatches in order.
+    pub(super) fn submit(
+        &mut self,
+        stages: &[Stage],
+        inputs: &FrameInputs,
+    ) -> Result<(), BackendError> {
+        self.submit_kernels(stages, |_| true, inputs)
+    }
+
+    /// Submits those of the stages' dispatches whose kernel is `wanted`; a stage is over with its
+    /// last kernel.
+    pub(super) fn submit_kernels(
+        &mut self,
+        stages: &[Stage],
+        wanted: impl Fn(&str) -> bool,
+        inputs: &FrameInputs,
+    ) -> Result<(), BackendError> {
+        self.upload(inputs)?;
+        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+        let mut timed = self.timer.as_mut().map(Timer::frame);
+        for &stage in stages {
+            if stage == Stage::Splat {
+                self.memory.clear_light(&mut encoder)?;
+            }
+            let dispatches = self.memory.named("dispatches")?;
+            let all = &self.commands[self.current][&stage];
+            let commands = all.iter().filter(|command| wanted(command.kernel));
+            match &mut timed {
+                None => {
+                    let mut pass = encoder.begin_compute_pass(&Default::default());
+                    for command in commands {
+                        command.encode(&mut pass, &self.kernels, dispatches);
+                    }
+                }
+                Some(timed) => {
+                    for command in commands {
+                        let mut pass = encoder.begin_compute_pass(&timed.pass(command.kernel));
+                        command.encode(&mut pass, &self.kernels, dispatches);
+                    }
+                }
+            }
+            if all.last().is_some_and(|last| !wanted(last.kernel)) {
+                continue;
+            }
+            match stage {
+                Stage::Emit => self.newborns_present = true,
+                Stage::Advance => {
+                    self.newborns_present = false;
+                    self.current = 1 - self.current;
+                    self.ring
+                        .stepped(&self.gpu, &self.memory, &mut encoder, inputs.frame.frame)?;
+                }
+                _ => {}
+            }
+        }
+        if let Some(timed) = timed {
+            timed.resolve(&mut encoder);
+        }
+        let submission = self.gpu.queue.submit([encoder.finish()]);
+        self.ring.submitted();
+        self.in_flight.push_back(submission);
+        if self.in_flight.len() > FRAMES_IN_FLIGHT {
+            let oldest = self.in_flight.pop_front();
+            self.gpu
+                .device
+                .poll(wgpu::PollType::Wait {
+                    submission_index: oldest,
+                    timeout: None,
+                })
+                .map_err(|e| BackendError::DeviceLost(e.to_string()))?;
+        }
+        self.gpu.check()
+    }
+
+    pub(super) fn counts(&self) -> Result<Counts, BackendError> {
+        let words = readback::words(
+            &self.gpu,
+            self.memory.named("counts")?,
+            size_of::<Counts>() as u64,
+        )?;
+        Ok(bytemuck::pod_read_unaligned(bytemuck::cast_slice(&words)))
+    }
+
+    pub(super) fn digest_of(
+        &mut self,
+        commands: &[Command],
+        at: usize,
+    ) -> Result<u64, BackendError> {
+        let digest = self.memory.named("digest")?;
+        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+        encoder.clear_buffer(digest, 0, None);
+        {
+            let mut pass = encoder.begin_compute_pass(&Default::default());
+            let dispatches = self.memory.named("dispatches")?;
+            for command in commands {
+                command.encode(&mut pass, &self.kernels, dispatches);
+            }
+        }
+        self.gpu.queue.submit([encoder.finish()]);
+        let words = readback::words(&self.gpu, digest, 16)?;
+        Ok(u64::from(words[at]) | (u64::from(words[at + 1]) << 32))
+    }
+}

@@ -1,0 +1,127 @@
+//! What the README shows is what the program does: its scene, its commands, its digests, its error.
+
+use crate::Workplace;
+
+const README: &str = include_str!("../../README.md");
+
+/// The scene in the README's TOML block.
+fn scene() -> &'static str {
+    let (_, rest) = README
+        .split_once("```toml\n")
+        .expect("the README shows a scene");
+    rest.split_once("```").expect("the block ends").0
+}
+
+#[test]
+fn the_readmes_scene_has_the_readmes_digests() {
+    let here = Workplace::new();
+    here.write("sparks.toml", scene());
+    // The table shows frame 90, the check the last one, 95.
+    here.render(&["-o", "all", "--frames", "90..96", "--stats", "s.csv"]);
+    let statistics = String::from_utf8(here.read("s.csv")).expect("statistics are text");
+    let digest = |frame: u32, population: &str| {
+        let start = format!("{frame},{population},");
+        let row = statistics
+            .lines()
+            .find(|line| line.starts_with(&start))
+            .expect("a row a frame");
+        row.rsplit_once(',').expect("a row has cells").1
+    };
+    let (state, image) = (digest(90, "particles"), digest(90, "image"));
+    for adapter in ["cpu", "llvmpipe (Mesa 22.3.6)", "SwiftShader"] {
+        let row = format!("| {adapter} | `{state}` | `{image}` |");
+        assert!(
+            README.lines().any(|line| line == row),
+            "the README does not say {row}"
+        );
+    }
+    let (state, image) = (digest(95, "particles"), digest(95, "image"));
+    let checked = format!("state {state}  image {image}  equal");
+    assert!(
+        README.contains(&checked),
+        "the README does not say {checked}"
+    );
+}
+
+#[test]
+fn the_readmes_error_is_the_programs() {
+    let here = Workplace::new();
+    here.write("sparks.toml", scene());
+    let ended = here.run(&["render", "sparks.toml", "--set", "system.sparks.sped=0.2"]);
+    assert_eq!(ended.code, 2);
+    let (_, shown) = README
+        .split_once("    error: ")
+        .expect("the README shows an error");
+    let (shown, _) = shown.split_once('…').expect("its end is left out");
+    let shown = format!("error: {}", shown.replace("\n    ", "\n"));
+    assert!(
+        ended.stderr.starts_with(&shown),
+        "shown:\n{shown}\nis:\n{}",
+        ended.stderr
+    );
+}
+
+#[test]
+fn the_readmes_commands_work() {
+    let here = Workplace::new();
+    let commands: Vec<_> = README
+        .lines()
+        .filter_map(|line| line.strip_prefix("    motes render fountain"))
+        .collect();
+    assert!(commands.len() >= 5, "the README shows {commands:?}");
+    let names = here.run(&["scenes", "--show", "fountain"]).stdout;
+    let names = names
+        .lines()
+        .filter_map(|line| line.strip_prefix("name = \""));
+    let names: Vec<_> = names.map(|rest| rest.trim_end_matches('"')).collect();
+    assert!(!names.is_empty(), "the fountain has systems");
+    for command in commands {
+        let command = command
+            .split_once('#')
+            .map_or(command, |(command, _)| command);
+        let mut arguments = vec!["render".to_owned(), "fountain".to_owned()];
+        arguments.extend(
+            command
+                .split_whitespace()
+                .map(|word| word.trim_matches('\'').to_owned()),
+        );
+        // Few particles on few pixels: this is about the command line.
+        let mut sets = vec!["image.width=32".to_owned(), "image.height=18".to_owned()];
+        sets.extend(
+            names
+                .iter()
+                .map(|name| format!("system.{name}.initial_mean_parts=1")),
+        );
+        sets.extend(
+            names
+                .iter()
+                .map(|name| format!("system.{name}.var_parts=0")),
+        );
+        arguments.extend(sets.into_iter().flat_map(|set| ["--set".to_owned(), set]));
+        arguments.extend(["--adapter".to_owned(), "cpu".to_owned()]);
+        let arguments: Vec<_> = arguments.iter().map(String::as_str).collect();
+        let ended = here.run(&arguments);
+        assert_eq!(
+            ended.code,
+            0,
+            "motes {}\n{}",
+            arguments.join(" "),
+            ended.stderr
+        );
+    }
+    let written = [
+        "jet-0060.png",
+        "jet-0089.png",
+        "jet.csv",
+        "jet.gif",
+        "jet.png",
+    ];
+    let also = ["jet/particles-0100.ply", "out/fountain/frame-0000.png"];
+    for name in written.iter().chain(&also) {
+        assert!(
+            here.path(name).is_file(),
+            "no {name} among {:?}",
+            here.files()
+        );
+    }
+}
