@@ -53,6 +53,14 @@ fn extreme_inputs_are_the_same_stage_by_stage() {
 }
 
 #[test]
+fn few_systems_are_the_same() {
+    for (count, row_count) in [(1, 1), (1, 2), (2, 1), (2, 2)] {
+        let (plan, frames) = few_systems(count, row_count);
+        assert_twins(&plan, &frames, &small_pages());
+    }
+}
+
+#[test]
 fn nothing_at_all_is_the_same() {
     let plan = everything_turning(&everything_within(1));
     let mut frames = frames_of(&plan, 4);

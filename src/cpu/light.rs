@@ -3,10 +3,12 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use crate::exact::{f32_of_u32, to_i32};
+use crate::exact::{f32_of_u32, shared_constants, to_i32};
 
-/// Steps of light in 1.0.
-pub const LIGHT_STEPS: f32 = 1_048_576.0;
+shared_constants! {
+    /// Steps of light in 1.0.
+    pub const LIGHT_STEPS: f32 = 1_048_576.0;
+}
 
 /// A contribution in steps, to the nearest.
 #[inline]

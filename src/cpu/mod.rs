@@ -5,6 +5,7 @@
 
 mod digest;
 pub mod draw;
+pub mod footprint;
 pub mod light;
 pub mod particle;
 pub mod particles;

@@ -3,22 +3,23 @@
 
 use glam::{UVec4, Vec3};
 
-use crate::exact::{clamp_exact, f32_of_u32, max_exact, snap, to_i32};
+use crate::exact::{clamp_exact, f32_of_u32, max_exact, shared_constants, snap, to_i32};
 use crate::layout::{Particle, SystemRow};
 use crate::plan::FrameInputs;
 use crate::rng::{pcg4d, signed_float};
 
-/// Streams of the hash: which attributes a draw is for.
-pub const STREAM_PLACE: u32 = 0;
-/// Direction, speed, size.
-pub const STREAM_MOTION: u32 = 1;
-/// Colour and transparency.
-pub const STREAM_COLOR: u32 = 2;
-/// How many are born; the index is 0.
-pub const STREAM_BIRTHS: u32 = 3;
-
-/// The least size at birth: a particle always covers something.
-pub const LEAST_SIZE: f32 = 0.000001;
+shared_constants! {
+    /// Streams of the hash: which attributes a draw is for.
+    pub const STREAM_PLACE: u32 = 0;
+    /// Direction, speed, size.
+    pub const STREAM_MOTION: u32 = 1;
+    /// Colour and transparency.
+    pub const STREAM_COLOR: u32 = 2;
+    /// How many are born; the index is 0.
+    pub const STREAM_BIRTHS: u32 = 3;
+    /// The least size at birth: a particle always covers something.
+    pub const LEAST_SIZE: f32 = 0.000001;
+}
 
 /// Who a particle is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -79,7 +79,9 @@ fn usable(instance: &wgpu::Instance) -> Vec<wgpu::Adapter> {
         wgpu::DeviceType::IntegratedGpu => 1,
         wgpu::DeviceType::VirtualGpu => 2,
         wgpu::DeviceType::Other => 3,
-        wgpu::DeviceType::Cpu => 4,
+        // Of software adapters, Mesa's is the quicker one.
+        wgpu::DeviceType::Cpu if adapter.get_info().name.starts_with("llvmpipe") => 4,
+        wgpu::DeviceType::Cpu => 5,
     });
     adapters
 }

@@ -38,6 +38,10 @@ enum Work {
     PagePairs,
     /// Page by page, as the splat's dispatches say.
     LivePages,
+    /// One invocation a page.
+    OncePages,
+    /// Page by page, as the dispatches for what covers many pixels say.
+    LargePages,
 }
 
 /// Every kernel of a frame in order; reading it is reading the frame on a device.
@@ -103,6 +107,16 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
         work: Work::LivePages,
     },
     KernelUse {
+        stage: Stage::Splat,
+        kernel: "draw/large_work",
+        work: Work::OncePages,
+    },
+    KernelUse {
+        stage: Stage::Splat,
+        kernel: "draw/splat_large",
+        work: Work::LargePages,
+    },
+    KernelUse {
         stage: Stage::Resolve,
         kernel: "draw/resolve",
         work: Work::Pixels,
@@ -151,6 +165,7 @@ impl Command {
 struct Pages<'a> {
     particles: Option<&'a wgpu::Buffer>,
     survivors: Option<&'a wgpu::Buffer>,
+    large: Option<&'a wgpu::Buffer>,
     words: Option<&'a wgpu::Buffer>,
 }
 
@@ -188,6 +203,7 @@ impl GpuBackend {
             let pages = Pages {
                 particles: here.get(source),
                 survivors: there.get(target),
+                large: self.memory.large.get(source),
                 words: None,
             };
             let command = self.command(kernel, &pages, immediates, size)?;
@@ -227,6 +243,12 @@ impl GpuBackend {
                     Size::Indirect(paging.splat_dispatch(page)),
                 )
             }),
+            Work::OncePages => (0..paging.page_count)
+                .try_for_each(|page| push(page as usize, 0, &[page], Size::Direct(1, 1))),
+            Work::LargePages => (0..paging.page_count).try_for_each(|page| {
+                let size = Size::Indirect(paging.large_dispatch(page));
+                push(page as usize, 0, &[], size)
+            }),
             Work::PagePairs => (0..paging.page_count).try_for_each(|source| {
                 (0..=source).try_for_each(|target| {
                     let size = Size::Indirect(paging.pair_dispatch(source, target));
@@ -249,6 +271,7 @@ impl GpuBackend {
             let page = match binding.name.as_str() {
                 "particles" => pages.particles,
                 "survivors" => pages.survivors,
+                "large_particles" => pages.large,
                 "words" => pages.words,
                 name => Some(self.memory.named(name)?),
             };
@@ -312,6 +335,7 @@ impl GpuBackend {
         let pages = Pages {
             particles: None,
             survivors: None,
+            large: None,
             words: Some(words),
         };
         let (x, y) = dispatch_for(records.div_ceil(DIGEST_RUN), self.workgroup_size);

@@ -10,6 +10,10 @@ use crate::plan::{BUFFERS, BufferRole, Count, Plan};
 /// A page holds a multiple of this many particles: whole words of bits, and whole runs of the scan.
 const PAGE_GRAIN: u32 = 2048;
 
+/// Drivers end an invocation's loops when they have turned 65,535 times in all, and one invocation
+/// writes the dispatches of all pairs of pages.
+const MOST_DISPATCHES: u32 = 60_000;
+
 /// Bytes a particle.
 const PARTICLE_BYTES: u64 = size_of::<Particle>() as u64;
 
@@ -35,9 +39,14 @@ impl Paging {
     }
 
     /// Dispatches that kernels write: two for the scan, three for each page, one for each pair of
-    /// pages (`wgsl/systems/offsets.wgsl` and `wgsl/scan/pages.wgsl` have the same order).
+    /// pages, and again one for each page (`wgsl/systems/offsets.wgsl`, `wgsl/scan/pages.wgsl` and
+    /// `wgsl/draw/large_work.wgsl` have the same order).
     pub(super) fn dispatches(&self) -> u32 {
-        self.pair_dispatch(self.page_count, 0)
+        self.large_dispatch(self.page_count)
+    }
+
+    pub(super) fn large_dispatch(&self, page: u32) -> u32 {
+        self.pair_dispatch(self.page_count, 0) + page
     }
 
     pub(super) fn emit_dispatch(&self, page: u32) -> u32 {
@@ -62,6 +71,8 @@ impl Paging {
 pub(super) struct Memory {
     pub(super) paging: Paging,
     pub(super) pools: [Vec<wgpu::Buffer>; 2],
+    /// For each page, the particles that cover many pixels: a count, its copy, indices.
+    pub(super) large: Vec<wgpu::Buffer>,
     named: HashMap<&'static str, wgpu::Buffer>,
     /// Bytes allocated in all.
     pub(super) bytes: u64,
@@ -80,6 +91,12 @@ impl Memory {
         let limits = gpu.device.limits();
         let most_binding = limits.max_storage_buffer_binding_size;
         let paging = Paging::new(plan.capacity, most_page_bytes.min(most_binding));
+        if paging.dispatches() > MOST_DISPATCHES {
+            return Err(BackendError::Unsupported(format!(
+                "{} particles in pages of {} are too many pages",
+                plan.capacity, paging.page_len
+            )));
+        }
         let mut bytes = 0;
         let mut allocate = |name: &str, size: u64| -> Result<wgpu::Buffer, BackendError> {
             if size > most_binding {
@@ -104,9 +121,13 @@ impl Memory {
                 pool.push(allocate("particles", page_bytes)?);
             }
         }
+        let large = (0..paging.page_count)
+            .map(|_| allocate("large_particles", (u64::from(paging.page_len) + 2) * 4))
+            .collect::<Result<_, _>>()?;
         let mut named = HashMap::new();
         for declared in BUFFERS {
-            if matches!(declared.count, Count::ParticlesOver(1)) {
+            let in_pages = matches!(declared.count, Count::ParticlesOver(1));
+            if in_pages || declared.name == "large_particles" {
                 continue;
             }
             let records = declared
@@ -127,6 +148,7 @@ impl Memory {
         Ok(Self {
             paging,
             pools,
+            large,
             named,
             bytes,
         })
@@ -134,7 +156,11 @@ impl Memory {
 
     /// Every buffer, those of the pools included.
     pub(super) fn all(&self) -> impl Iterator<Item = &wgpu::Buffer> {
-        self.pools.iter().flatten().chain(self.named.values())
+        self.pools
+            .iter()
+            .flatten()
+            .chain(&self.large)
+            .chain(self.named.values())
     }
 
     /// The buffer of that name; the pools are not among them.

@@ -142,6 +142,7 @@ pub static BUFFERS: &[Buffer] = {
         ),
         buffer_of("light_low", State, "u32", 4, Count::Pixels(3)),
         buffer_of("light_high", State, "u32", 4, Count::Pixels(3)),
+        buffer_of("large_particles", Scratch, "u32", 4, Count::Backend),
         buffer_of("image", State, "u32", 4, Count::Pixels(1)),
         buffer_of("digest", Scratch, "u32", 4, Count::Fixed(4)),
     ]

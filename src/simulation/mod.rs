@@ -6,7 +6,7 @@ pub use error::SimulationError;
 
 use crate::backend::Backend;
 use crate::cpu::CpuBackend;
-use crate::cpu::draw::splat::world_of;
+use crate::cpu::footprint::world_of;
 use crate::cpu::particle::{STREAM_PLACE, draw, identity_of, lifetime_of, row_index};
 use crate::exact::dot3;
 use crate::gpu::{self, AdapterDescription, GpuBackend, GpuOptions};

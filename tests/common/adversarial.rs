@@ -1,7 +1,7 @@
 //! Inputs that no scene would give: extreme, random, and legal for the backends all the same.
 
 use motes::exact::snap;
-use motes::layout::{PARTICLE_STREAK, SystemFrame, SystemRow};
+use motes::layout::{SystemFrame, SystemRow};
 use motes::plan::{FrameInputs, Plan, Turn};
 
 use super::{hash, scene_of};
@@ -46,9 +46,10 @@ impl Dice {
     }
 }
 
-const SYSTEMS: u32 = 6;
+/// A multiple of four, so that buffers of a word for each have no room to spare.
+const SYSTEMS: u32 = 8;
 
-/// A plan of six systems with room for 2,600 particles and 96 × 54 pixels, and `count` frames of
+/// A plan of eight systems with room for 2,600 particles and 96 × 54 pixels, and `count` frames of
 /// hand-made inputs that begin at frame `first`: transforms, speeds, sizes and accelerations from
 /// 2^-45 to 10^9, births from none to more than fit, rows that change every frame.
 pub(crate) fn adversarial(seed: u32, first: u32, count: u32) -> (Plan, Vec<FrameInputs>) {
@@ -80,7 +81,7 @@ pub(crate) fn adversarial(seed: u32, first: u32, count: u32) -> (Plan, Vec<Frame
             let mut inputs = plan.inputs(at);
             inputs.frame.frame = first.wrapping_add(at);
             inputs.frame.shutter = dice.magnitude(1.0, 4.0);
-            inputs.frame.near = snap(dice.magnitude(1.0, 16.0).max(0.05));
+            inputs.frame.near = snap(dice.magnitude(1.0, 16.0).max(1e-6));
             inputs.frame.focal_px *= 1.0 + dice.signed() * 0.9;
             inputs.frame.background = [0; 4].map(|_: u32| dice.magnitude(0.2, 1.0));
             inputs.systems = (0..SYSTEMS)
@@ -106,8 +107,9 @@ fn system_frame(dice: &mut Dice, seed: u32, slot: u32) -> SystemFrame {
         world_from_system_z: z,
         acceleration: [0; 4].map(|_: u32| dice.extreme(0.1, 1e9)),
         mean_parts: match dice.below(24) {
-            0 => dice.extreme(1.0, 1e30),
-            1 => 0.0,
+            0 => 3e7,
+            1 => dice.extreme(1.0, 1e30),
+            2 => 0.0,
             _ => dice.extreme(90.0, 500.0),
         },
         var_parts: dice.magnitude(40.0, 400.0),
@@ -119,8 +121,6 @@ fn system_frame(dice: &mut Dice, seed: u32, slot: u32) -> SystemFrame {
 fn system_row(dice: &mut Dice) -> SystemRow {
     // 3 is none of the shapes: what is not named is the last.
     let kinds = [dice.below(4), dice.below(4), dice.below(3), dice.word()];
-    // A streak is followed across the picture and far beyond: broad ones have a test of their own.
-    let most_size = if kinds[1] == PARTICLE_STREAK { 0.0005 } else { 1e4 };
     SystemRow {
         shape: [
             dice.magnitude(2.0, 1e6),
@@ -135,9 +135,9 @@ fn system_row(dice: &mut Dice) -> SystemRow {
             dice.magnitude(4.0, 20.0),
         ],
         size_and_threshold: [
-            dice.magnitude(0.1, 1e4).min(most_size),
-            dice.magnitude(0.1, 1e4).min(most_size),
-            dice.extreme(0.01, 1e4).min(0.01 * most_size),
+            dice.magnitude(0.1, 1e4),
+            dice.magnitude(0.1, 1e4),
+            dice.extreme(0.01, 1e4),
             dice.extreme(0.05, 1e3),
         ],
         color_mean: [

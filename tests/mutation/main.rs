@@ -3,7 +3,7 @@
 //! that make no difference, with the reason.
 //!
 //! Changes to the shared libraries are tried on the kernels that evaluate every function of them
-//! (`common::PROBES`); those to a kernel's own file and to `lib/particle`, on whole runs
+//! (`common::PROBES`); those to a kernel's own file and to other libraries, on whole runs
 //! (`trials`). A sample of each kernel's changes is tried; with `MOTES_FULL=1`, all of them.
 //! Changed kernels check their indices, and their loops are bounded (`budget`).
 #[path = "../common/mod.rs"]
@@ -28,7 +28,7 @@ use trials::Trial;
 const SAMPLE: usize = 12;
 
 /// Rounds that the loops of a function make at most in one invocation.
-const MOST_ROUNDS: u32 = 150_000;
+const MOST_ROUNDS: u32 = 20_000;
 
 /// Sets of arguments that a probe kernel is tried on.
 const PROBE_ARGUMENTS: u32 = 60_000;
@@ -91,7 +91,12 @@ fn try_all(
             println!("{kernel}: {}", site.description);
         }
         match differs(&changed) {
-            Some(_) => tally.caught += 1,
+            Some(difference) => {
+                tally.caught += 1;
+                if std::env::var_os("MOTES_VERBOSE").is_some() {
+                    println!("    {difference}");
+                }
+            }
             None if explained::reason(kernel, &site.description).is_some() => tally.explained += 1,
             None => tally.unexplained.push(format!("{kernel} | {}", site.description)),
         }
@@ -121,9 +126,16 @@ fn report(tallies: &[Tally]) {
     );
 }
 
-/// Whether the variable `MOTES_KERNEL`, if it is set, names this kernel.
+/// Whether the variable `MOTES_KERNEL`, if it is set, names this kernel, perhaps among others.
 fn is_chosen(kernel: &str) -> bool {
-    std::env::var("MOTES_KERNEL").is_ok_and(|name| name != kernel).eq(&false)
+    let chosen = std::env::var("MOTES_KERNEL");
+    chosen.map_or(true, |names| names.split(',').any(|name| name == kernel))
+}
+
+/// Whether what a library declares is tried on runs: all but what is tried on probes.
+fn is_of_kernels(library: Option<&str>) -> bool {
+    let is_probed = |library| PROBES.iter().any(|probe| probe.libraries.contains(&library));
+    !library.is_some_and(is_probed)
 }
 
 #[test]
@@ -148,8 +160,7 @@ fn every_change_of_a_kernel_is_seen() {
             compile(&CompileOptions { workgroup_size, checked: true, mutate: Some(&mutate), ..Default::default() }).ok()
         };
         assert_eq!(differs(&unchanged), None, "{kernel}, unchanged");
-        let wanted = |library: Option<&str>| matches!(library, None | Some("motes::particle"));
-        let sites = sites_of(&compile, &wanted);
+        let sites = sites_of(&compile, &is_of_kernels);
         tallies.push(try_all(kernel, sites, &compile, &mut differs));
         // The next kernel is tried among unchanged ones.
         for (trial, backend) in trials.iter().zip(&mut backends) {
@@ -196,8 +207,7 @@ fn no_explanation_is_out_of_date() {
     let mut descriptions = Vec::new();
     for kernel in KERNELS.iter().map(|source| source.name) {
         let compile = |options: &CompileOptions| shader::compile(kernel, options);
-        let wanted = |library: Option<&str>| matches!(library, None | Some("motes::particle"));
-        let sites = sites_of(&compile, &wanted);
+        let sites = sites_of(&compile, &is_of_kernels);
         descriptions.extend(sites.into_iter().map(|site| (kernel, site.description)));
     }
     for probe in PROBES {

@@ -1,10 +1,8 @@
 //! Where a kernel can be changed, and how: literals, operators, comparisons, selections, branches,
 //! components, functions, stores, in naga's IR.
 
-use std::fmt::Write;
-
 use motes::gpu::shader;
-use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
+use naga::valid::{Capabilities, FunctionInfo, ValidationFlags, Validator};
 use naga::{
     AtomicFunction, BinaryOperator as Op, Block, Expression as E, Function, Handle, Literal,
     MathFunction as Mf, Module, Statement, TypeInner, UnaryOperator,
@@ -68,22 +66,21 @@ pub(crate) fn sites(module: &Module, wanted: &dyn Fn(Option<&str>) -> bool) -> V
         let (library, name) = shader::origin(function.name.as_deref().unwrap_or_default());
         if wanted(library.as_deref()) {
             let of = &info[handle];
-            collect(module, &info, of, function, name, Body::Function(handle), &mut sites);
+            collect(module, of, function, name, Body::Function(handle), &mut sites);
         }
     }
     if wanted(None) {
         let entry_point = &module.entry_points[0];
         let of = info.get_entry_point(0);
         let (name, body) = (&entry_point.name, Body::EntryPoint);
-        collect(module, &info, of, &entry_point.function, name, body, &mut sites);
+        collect(module, of, &entry_point.function, name, body, &mut sites);
     }
     sites
 }
 
 fn collect(
     module: &Module,
-    _info: &ModuleInfo,
-    of: &naga::valid::FunctionInfo,
+    of: &FunctionInfo,
     function: &Function,
     name: &str,
     body: Body,
@@ -93,8 +90,15 @@ fn collect(
     for (handle, expression) in function.expressions.iter() {
         let inner_of = |handle: Handle<E>| of[handle].ty.inner_with(&module.types);
         for (to, what) in changes(module, expression, &inner_of) {
-            let mut description = format!("{name}: {}", printer.deep(handle));
-            let _ = write!(description, " -> {what}");
+            let description = match expression {
+                E::Literal(_) => {
+                    let user = user_of(function, handle);
+                    let place = user.map(|user| format!(" in {}", printer.deep(user)));
+                    let place = place.unwrap_or_default();
+                    format!("{name}: {} -> {what}{place}", printer.deep(handle))
+                }
+                _ => format!("{name}: {} -> {what}", printer.deep(handle)),
+            };
             sites.push(Site { description, body, change: Change::Expression(handle, to) });
         }
     }
@@ -119,6 +123,23 @@ fn collect(
             _ => {}
         }
     });
+}
+
+/// The first expression that is made of this one.
+fn user_of(function: &Function, handle: Handle<E>) -> Option<Handle<E>> {
+    let uses = |expression: &E| match *expression {
+        E::Binary { left, right, .. } => left == handle || right == handle,
+        E::Unary { expr, .. } | E::As { expr, .. } => expr == handle,
+        E::Select { condition, accept, reject } => [condition, accept, reject].contains(&handle),
+        E::Math { arg, arg1, arg2, arg3, .. } => {
+            [Some(arg), arg1, arg2, arg3].contains(&Some(handle))
+        }
+        E::Access { base, index } => base == handle || index == handle,
+        E::Splat { value, .. } => value == handle,
+        E::Compose { ref components, .. } => components.contains(&handle),
+        _ => false,
+    };
+    function.expressions.iter().find(|(_, expression)| uses(expression)).map(|(user, _)| user)
 }
 
 /// Visits every statement in order of text, outer before inner, with its number.

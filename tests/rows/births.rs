@@ -5,7 +5,7 @@ use motes::plan::{Plan, Stage};
 use motes::scene::Scene;
 
 use crate::common;
-use crate::common::statistics::{mean, standard_deviation};
+use crate::common::statistics::{ks_p_value, mean, standard_deviation};
 use crate::support::{Run, on_every_backend, scene};
 
 /// Births by frame and system, from the stage of births alone.
@@ -13,7 +13,9 @@ fn births_of(scene: &Scene, frames: impl Iterator<Item = u32>) -> Vec<Vec<u32>> 
     let plan = Plan::new(scene, 1).expect("the scene can be planned");
     let mut backend = common::on_cpu(&plan);
     let births = |frame| {
-        backend.run_stage(Stage::Births, &plan.inputs(frame)).expect("births can be found");
+        backend
+            .run_stage(Stage::Births, &plan.inputs(frame))
+            .expect("births can be found");
         backend.read("birth_counts").expect("births can be read")
     };
     frames.map(births).collect()
@@ -24,7 +26,11 @@ fn births_of_run(on: &str, scene: &Scene, frame_end: u32) -> Vec<u32> {
     let mut run = Run::new(on, scene, frame_end);
     run.step_to(frame_end - 1);
     let lines = run.statistics();
-    assert!(lines.iter().all(|line| line.born == line.requested && line.dropped == 0));
+    assert!(
+        lines
+            .iter()
+            .all(|line| line.born == line.requested && line.dropped == 0)
+    );
     assert_eq!(lines.len(), frame_end as usize);
     lines.iter().map(|line| line.requested).collect()
 }
@@ -76,7 +82,10 @@ fn r5_births_are_uniform_about_their_mean() {
     assert!((spread / 173.2 - 1.0).abs() <= 0.02, "{spread}");
     assert!(counts.iter().all(|count| (700..=1300).contains(count)));
     on_every_backend(|on| {
-        assert!(births_of_run(on, &scene, 300) == counts[..300], "other births on {on}");
+        assert!(
+            births_of_run(on, &scene, 300) == counts[..300],
+            "other births on {on}"
+        );
     });
 }
 
@@ -92,7 +101,11 @@ fn r5_rounding_keeps_the_mean_and_nearest_does_not_draw() {
     let few = counts("stochastic", 0.3, 0.0);
     assert!(few.iter().all(|&count| count <= 1));
     let three_sigma = 3.0 * (0.3f64 * 0.7 / 100_000.0).sqrt();
-    assert!((mean(&floats(&few)) - 0.3).abs() <= three_sigma, "{}", mean(&floats(&few)));
+    assert!(
+        (mean(&floats(&few)) - 0.3).abs() <= three_sigma,
+        "{}",
+        mean(&floats(&few))
+    );
     assert!(counts("nearest", 0.3, 0.0).iter().all(|&count| count == 0));
     assert!(counts("nearest", 0.7, 0.0).iter().all(|&count| count == 1));
     // A draw below zero is no births: uniform in -20 .. 40 is at or below 0 a third of the time.
@@ -149,10 +162,16 @@ fn r7_the_mean_an_area_changes_linearly() {
         for (elapsed, &count) in births.iter().enumerate() {
             let expected = (0.5 + 0.05 * elapsed as f64) * area;
             // Rounding to the nearest is all that may come between.
-            assert!((f64::from(count) - expected).abs() <= 0.6, "{elapsed}: {count}, {expected}");
+            assert!(
+                (f64::from(count) - expected).abs() <= 0.6,
+                "{elapsed}: {count}, {expected}"
+            );
         }
         let births = births_of_run(on, &by_area(-0.1), 12);
-        assert!(births[4] > 0 && births[5..].iter().all(|&count| count == 0), "{births:?}");
+        assert!(
+            births[4] > 0 && births[5..].iter().all(|&count| count == 0),
+            "{births:?}"
+        );
     });
 }
 
@@ -176,14 +195,19 @@ fn r8_the_half_width_is_constant_over_frames() {
     let (a, b) = (standard_deviation(&first), standard_deviation(&later));
     println!("standard deviation at f0 {a:.2}, at f0 + 100 {b:.2}");
     assert!((a / b - 1.0).abs() <= 0.02, "{a} and {b}");
-    assert!((mean(&later) - mean(&first) - 700.0).abs() < 4.0, "the mean has moved");
+    assert!(
+        (mean(&later) - mean(&first) - 700.0).abs() < 4.0,
+        "the mean has moved"
+    );
 }
 
 #[test]
 fn r10_births_begin_at_the_first_frame_and_end_at_the_last() {
     let scene = scene(
         "",
-        &["first_frame = 6\n end_frame = 9\n initial_mean_parts = 5\n var_parts = 2\n lifetime = 2"],
+        &[
+            "first_frame = 6\n end_frame = 9\n initial_mean_parts = 5\n var_parts = 2\n lifetime = 2",
+        ],
     );
     on_every_backend(|on| {
         let births = births_of_run(on, &scene, 14);
@@ -191,4 +215,19 @@ fn r10_births_begin_at_the_first_frame_and_end_at_the_last() {
             assert_eq!(count > 0, (6..9).contains(&frame), "frame {frame}: {count}");
         }
     });
+}
+
+#[test]
+fn the_test_of_distributions_finds_a_wrong_one() {
+    // Even steps, and the same bent by a hundredth: 100,000 samples tell.
+    let even: Vec<f64> = (0..100_000).map(|at| (f64::from(at) + 0.5) / 1e5).collect();
+    let uniform = |x: f64| x.clamp(0.0, 1.0);
+    assert!(ks_p_value(&even, uniform) > 0.99);
+    let bent: Vec<f64> = even.iter().map(|x| x + 0.04 * x * (1.0 - x)).collect();
+    assert!(ks_p_value(&bent, uniform) < 0.001);
+    let few: Vec<f64> = bent.iter().step_by(1000).copied().collect();
+    assert!(
+        ks_p_value(&few, uniform) > 0.01,
+        "a hundred samples do not tell"
+    );
 }

@@ -23,9 +23,14 @@ fn states(on: &str, scene: &Scene, frame: u32) -> BTreeMap<Who, [u32; 6]> {
         .into_iter()
         .map(|member| {
             let name = scene.systems[member.state.system as usize].name.clone();
-            let Particle { position_and_index: [x, y, z, _], velocity_and_birth: [u, v, w, _] } =
-                member.raw;
-            ((name, member.who.birth_frame, member.who.index), [x, y, z, u, v, w])
+            let Particle {
+                position_and_index: [x, y, z, _],
+                velocity_and_birth: [u, v, w, _],
+            } = member.raw;
+            (
+                (name, member.who.birth_frame, member.who.index),
+                [x, y, z, u, v, w],
+            )
         })
         .collect();
     assert_eq!(states.len(), count, "two particles are one");
@@ -40,7 +45,10 @@ fn assert_among(some: &BTreeMap<Who, [u32; 6]>, all: &BTreeMap<Who, [u32; 6]>) {
 }
 
 fn without_thresholds(mut scene: Scene) -> Scene {
-    scene.systems.iter_mut().for_each(|system| system.intensity_threshold = None);
+    scene
+        .systems
+        .iter_mut()
+        .for_each(|system| system.intensity_threshold = None);
     scene
 }
 
@@ -55,7 +63,10 @@ fn r74_killing_does_not_change_the_survivors() {
         assert_among(&some, &all);
         // And nobody else is missing: the dead are those that were to be killed.
         let killed: Vec<&Who> = all.keys().filter(|who| !some.contains_key(*who)).collect();
-        assert!(killed.iter().all(|who| who.0 == "jet" || who.0 == "dust"), "{killed:?}");
+        assert!(
+            killed.iter().all(|who| who.0 == "jet" || who.0 == "dust"),
+            "{killed:?}"
+        );
     });
 }
 
@@ -71,13 +82,22 @@ fn r74_lifetimes_and_births_do_not_change_the_others() {
     }
     let long = {
         let mut scene = without_thresholds(long);
-        scene.systems.iter_mut().for_each(|s| (s.lifetime.mean, s.lifetime.var) = (9.0, 0.0));
+        scene
+            .systems
+            .iter_mut()
+            .for_each(|s| (s.lifetime.mean, s.lifetime.var) = (9.0, 0.0));
         scene
     };
-    let (short, long) = (states("cpu", &without_thresholds(short), FRAME), states("cpu", &long, FRAME));
+    let (short, long) = (
+        states("cpu", &without_thresholds(short), FRAME),
+        states("cpu", &long, FRAME),
+    );
     // Those that both runs have are the same.
     let common = short.iter().filter(|(who, _)| long.contains_key(*who));
-    let same = common.clone().filter(|(who, state)| long[*who] == **state).count();
+    let same = common
+        .clone()
+        .filter(|(who, state)| long[*who] == **state)
+        .count();
     assert!(same > 300 && same == common.count(), "{same} are the same");
 }
 
@@ -103,11 +123,27 @@ fn r74_what_is_off_screen_lives_on() {
 fn r75_another_system_changes_nobody() {
     let scene = everything();
     let mut more = everything();
-    let newcomer = Scene { seed: 5, ..everything() }.systems[8].clone();
-    more.systems.insert(0, motes::scene::System { name: "newcomer".into(), ..newcomer });
-    let fewer = Scene { systems: scene.systems[2..].to_vec(), ..scene.clone() };
-    let reversed =
-        Scene { systems: scene.systems.iter().rev().cloned().collect(), ..scene.clone() };
+    let newcomer = Scene {
+        seed: 5,
+        ..everything()
+    }
+    .systems[8]
+        .clone();
+    more.systems.insert(
+        0,
+        motes::scene::System {
+            name: "newcomer".into(),
+            ..newcomer
+        },
+    );
+    let fewer = Scene {
+        systems: scene.systems[2..].to_vec(),
+        ..scene.clone()
+    };
+    let reversed = Scene {
+        systems: scene.systems.iter().rev().cloned().collect(),
+        ..scene.clone()
+    };
     on_every_backend(|on| {
         let [scene, more, fewer, reversed] =
             [&scene, &more, &fewer, &reversed].map(|scene| states(on, scene, 11));
@@ -124,12 +160,22 @@ fn r75_the_key_is_seed_system_birth_frame_and_index() {
     // Two systems that are alike but for their names bear other particles, as other seeds do; and
     // so do two frames and two indices.
     let mut scene = everything();
-    let twin = motes::scene::System { name: "twin".into(), ..scene.systems[8].clone() };
+    let twin = motes::scene::System {
+        name: "twin".into(),
+        ..scene.systems[8].clone()
+    };
     scene.systems = vec![scene.systems[8].clone(), twin];
-    let other = Scene { seed: scene.seed + (1 << 32), ..scene.clone() };
+    let other = Scene {
+        seed: scene.seed + (1 << 32),
+        ..scene.clone()
+    };
     let (states, others) = (states("cpu", &scene, 0), states("cpu", &other, 0));
     let values: std::collections::BTreeSet<[u32; 6]> =
         states.values().chain(others.values()).copied().collect();
     assert!(states.len() > 300);
-    assert_eq!(values.len(), states.len() + others.len(), "the upper half of the seed counts, too");
+    assert_eq!(
+        values.len(),
+        states.len() + others.len(),
+        "the upper half of the seed counts, too"
+    );
 }

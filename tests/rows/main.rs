@@ -2,12 +2,15 @@
 //! id of its row, so that `cargo test r27` runs what there is of R27.
 
 mod attributes;
+mod bending;
 mod births;
 #[path = "../common/mod.rs"]
 mod common;
 mod extinction;
 mod identity;
+mod light;
 mod motion;
+mod order;
 mod places;
 mod raster;
 mod restart;

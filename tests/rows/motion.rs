@@ -6,7 +6,8 @@ use motes::plan::{Plan, STAGES};
 use motes::simulation::Simulation;
 
 use crate::common;
-use crate::support::{Light, Member, Run, backends, on_every_backend, scene};
+use crate::light::Light;
+use crate::support::{Member, Run, backends, on_every_backend, scene};
 
 fn vector(words: [f32; 3]) -> DVec3 {
     DVec3::from_array(words.map(f64::from))
@@ -15,12 +16,18 @@ fn vector(words: [f32; 3]) -> DVec3 {
 #[test]
 fn r2_stages_stand_in_the_order_of_the_paper() {
     let names: Vec<&str> = STAGES.iter().map(|info| info.name).collect();
-    assert_eq!(names, ["births", "emit", "cull", "advance", "splat", "resolve"]);
+    assert_eq!(
+        names,
+        ["births", "emit", "cull", "advance", "splat", "resolve"]
+    );
     // The kernels that devices report, by their own clocks.
     for on in backends().iter().filter(|name| *name != "cpu") {
         let scene = scene("", &["lifetime = 2"]);
         let plan = Plan::new(&scene, 4).expect("the scene can be planned");
-        let options = GpuOptions { timed: true, ..GpuOptions::default() };
+        let options = GpuOptions {
+            timed: true,
+            ..GpuOptions::default()
+        };
         let mut backend: GpuBackend = common::on_gpu(&common::open(on), &plan, &options);
         for frame in 0..4 {
             use motes::backend::Backend;
@@ -29,7 +36,11 @@ fn r2_stages_stand_in_the_order_of_the_paper() {
             backend.draw(&inputs).expect("the backend draws");
         }
         let times = backend.take_times().expect("times can be read");
-        assert_eq!(times.len(), 8, "{on} keeps no log of four steps and four drawings");
+        assert_eq!(
+            times.len(),
+            8,
+            "{on} keeps no log of four steps and four drawings"
+        );
         for frame in times.chunks(2) {
             let kernels = || frame.iter().flatten().map(|(kernel, _)| *kernel);
             let mut stages: Vec<&str> = kernels()
@@ -59,10 +70,16 @@ fn r2_a_lifetime_of_one_is_drawn_in_one_frame_after_its_first_step() {
             assert_eq!(light.is_dark(), frame != 3, "frame {frame}");
             if frame == 3 {
                 // RA4: born at column 32, moved by 5 before it is drawn.
-                let (sum, at) = light.pixels(0).fold((0.0, 0.0), |(sum, at), (x, _, light)| {
-                    (sum + light, at + x * light)
-                });
-                assert!((at / sum - 37.0).abs() < 0.01, "drawn at column {}", at / sum);
+                let (sum, at) = light
+                    .pixels(0)
+                    .fold((0.0, 0.0), |(sum, at), (x, _, light)| {
+                        (sum + light, at + x * light)
+                    });
+                assert!(
+                    (at / sum - 37.0).abs() < 0.01,
+                    "drawn at column {}",
+                    at / sum
+                );
             }
         }
     });
@@ -80,7 +97,12 @@ fn spray(on: &str, lines: &str) -> (Vec<Member>, Vec<Member>) {
     run.step_to(99);
     let last = run.members();
     assert_eq!((first.len(), last.len()), (400, 400));
-    assert!(first.iter().zip(&last).all(|(first, last)| first.who == last.who));
+    assert!(
+        first
+            .iter()
+            .zip(&last)
+            .all(|(first, last)| first.who == last.who)
+    );
     (first, last)
 }
 
@@ -123,19 +145,31 @@ fn r24_acceleration_follows_the_text_position_first() {
 fn light_of_two(on: &str, lines: &str, frames: u32) -> Vec<[[f64; 3]; 2]> {
     let two = "initial_mean_parts = 2\n end_frame = 1\n particle_shape = \"rectangle\"
         generation_shape = { kind = \"rectangle\", length = 50, width = 0 }";
-    let mut run = Run::new(on, &scene("seed = 3", &[&format!("{two}\n{lines}")]), frames);
+    let mut run = Run::new(
+        on,
+        &scene("seed = 3", &[&format!("{two}\n{lines}")]),
+        frames,
+    );
     let mut drawn = Vec::new();
     for frame in 0..frames {
         run.step_to(frame);
-        let mut columns: Vec<f64> =
-            run.members().iter().map(|member| 32.0 + f64::from(member.state.position[0])).collect();
+        let mut columns: Vec<f64> = run
+            .members()
+            .iter()
+            .map(|member| 32.0 + f64::from(member.state.position[0]))
+            .collect();
         columns.sort_by(f64::total_cmp);
-        assert!(columns.len() == 2 && columns[1] - columns[0] > 12.0, "another seed: {columns:?}");
+        assert!(
+            columns.len() == 2 && columns[1] - columns[0] > 12.0,
+            "another seed: {columns:?}"
+        );
         let middle = 0.5 * (columns[0] + columns[1]);
         let light: Light = run.light();
         let side = |left: bool| {
             [0, 1, 2].map(|channel| {
-                let here = light.pixels(channel).filter(|(x, ..)| (*x < middle) == left);
+                let here = light
+                    .pixels(channel)
+                    .filter(|(x, ..)| (*x < middle) == left);
                 here.map(|(_, _, light)| light).sum::<f64>()
             })
         };
@@ -147,11 +181,17 @@ fn light_of_two(on: &str, lines: &str, frames: u32) -> Vec<[[f64; 3]; 2]> {
 /// Asserts that value(n) of both is start + (n + 1) rate, clamped, and that they start apart.
 fn assert_change(what: &str, values: &[[f64; 2]], rate: f64, low: f64, high: f64, close: f64) {
     let start = values[0].map(|value| value - rate);
-    assert!((start[0] - start[1]).abs() > 10.0 * close, "{what}: both start at {start:?}");
+    assert!(
+        (start[0] - start[1]).abs() > 10.0 * close,
+        "{what}: both start at {start:?}"
+    );
     for (frame, values) in values.iter().enumerate() {
         for (start, value) in start.iter().zip(values) {
             let expected = (start + (frame as f64 + 1.0) * rate).clamp(low, high);
-            assert!((value - expected).abs() <= close, "{what} in frame {frame}: {value}, expected {expected}");
+            assert!(
+                (value - expected).abs() <= close,
+                "{what} in frame {frame}: {value}, expected {expected}"
+            );
         }
     }
     let last = values[values.len() - 1];
@@ -168,7 +208,10 @@ fn r25_color_transparency_and_size_change_at_their_systems_rate() {
             16,
         );
         let channel = |at: usize| -> Vec<[f64; 2]> {
-            color.iter().map(|sides| sides.map(|light| light[at] / 4.0)).collect()
+            color
+                .iter()
+                .map(|sides| sides.map(|light| light[at] / 4.0))
+                .collect()
         };
         assert_change("red", &channel(0), -0.0625, 0.0, f64::MAX, 1e-5);
         assert!(channel(0)[15] == [0.0; 2], "red ends at nothing");
@@ -203,7 +246,10 @@ fn r24_a_library_user_gets_the_same_through_the_front_door() {
     let scene = scene("", &[&format!("{SPRAY}\n acceleration = [0, -0.004, 0]")]);
     let digest = |on: &str| {
         let adapter = motes::simulation::AdapterChoice::parse(on);
-        let options = motes::simulation::Options { adapter, ..Default::default() };
+        let options = motes::simulation::Options {
+            adapter,
+            ..Default::default()
+        };
         let mut simulation = Simulation::new(&scene, &options).expect("the adapter is there");
         simulation.seek(99).expect("the backend steps");
         simulation.state_digest().expect("the backend digests")

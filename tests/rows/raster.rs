@@ -2,29 +2,8 @@
 
 use std::f64::consts::PI;
 
-use motes::cpu::draw::splat::splat;
-use motes::cpu::light::LightSums;
-use motes::layout::Particle;
-use motes::plan::Plan;
-use motes::scene::Scene;
-
-use crate::common::{everything, hash};
-use crate::support::{Light, Run, assert_within, on_every_backend, sample, scene};
-
-/// Bright, so that rounding to steps of light does not matter; sums are not clamped.
-const BRIGHT: &str = "end_frame = 1\n color = [64, 32, 16]";
-
-/// What one particle that has been born in frame 0 adds to the picture of frame 0.
-pub(crate) fn light_of(on: &str, picture: &str, lines: &str) -> Light {
-    let mut run = Run::new(on, &scene(picture, &[&format!("{BRIGHT}\n{lines}")]), 1);
-    run.step_to(0);
-    run.light()
-}
-
-/// Pixels that the light of such a particle would fill.
-pub(crate) fn coverage(light: &Light) -> f64 {
-    light.total(0) / 64.0
-}
+use crate::light::{Light, coverage, light_of};
+use crate::support::{Run, assert_within, on_every_backend, sample, scene};
 
 #[test]
 fn r22_each_shape_covers_its_area() {
@@ -32,13 +11,30 @@ fn r22_each_shape_covers_its_area() {
         for &size in sample(on, &[0.3, 3.0, 0.5, 1.0, 1.7, 6.0, 12.5]) {
             let lines = format!("size = {size}\n position = [1.3, -2.6, 0]");
             let disc = coverage(&light_of(on, "", &lines));
-            assert_within(&format!("disc of radius {size}"), disc, PI * size * size, 0.02);
+            assert_within(
+                &format!("disc of radius {size}"),
+                disc,
+                PI * size * size,
+                0.02,
+            );
             let lines = format!("{lines}\n particle_shape = \"rectangle\"");
             let square = coverage(&light_of(on, "", &lines));
-            assert_within(&format!("square of half-width {size}"), square, 4.0 * size * size, 0.02);
+            assert_within(
+                &format!("square of half-width {size}"),
+                square,
+                4.0 * size * size,
+                0.02,
+            );
         }
         // A streak is half a frame's motion long; every covered pixel full.
-        let streaks = [(1.0, 40.0), (3.0, 20.0), (0.5, 30.0), (1.5, 30.0), (2.0, 36.0), (5.0, 10.0)];
+        let streaks = [
+            (1.0, 40.0),
+            (3.0, 20.0),
+            (0.5, 30.0),
+            (1.5, 30.0),
+            (2.0, 36.0),
+            (5.0, 10.0),
+        ];
         for &(size, speed) in sample(on, &streaks) {
             for &rotation in sample(on, &["[0, 90]", "[-30, 90]", "[-90, 0]"]) {
                 let lines = format!(
@@ -97,7 +93,7 @@ fn r34_equal_particles_on_a_pixel_add_up_and_clamp() {
     let lines = "size = 0.5\n position = [0.5, 0.5, 0]\n particle_shape = \"rectangle\"
         color = [0.07, 0.21, 0.0305]";
     on_every_backend(|on| {
-        for count in [1, 2, 3, 5, 14, 15, 33, 100] {
+        for &count in sample(on, &[3, 33, 1, 2, 5, 14, 15, 100]) {
             let lines = format!("{lines}\n initial_mean_parts = {count}");
             let mut run = Run::new(on, &scene("", &[&lines]), 1);
             run.step_to(0);
@@ -106,10 +102,17 @@ fn r34_equal_particles_on_a_pixel_add_up_and_clamp() {
             for (channel, color) in [0.07, 0.21, 0.0305].into_iter().enumerate() {
                 let expected = (f64::from(count) * color).min(1.0);
                 let byte = (expected * 255.0 + 0.5).floor() as u8;
-                assert_eq!(image[at + channel], byte, "{count} particles, channel {channel}");
+                assert_eq!(
+                    image[at + channel],
+                    byte,
+                    "{count} particles, channel {channel}"
+                );
                 let light = run.light().at(32, 31, channel);
                 let rounding = f64::from(count) / f64::from(1 << 20);
-                assert!((light - f64::from(count) * color).abs() <= rounding, "{light}");
+                assert!(
+                    (light - f64::from(count) * color).abs() <= rounding,
+                    "{light}"
+                );
             }
             // And on no other pixel.
             let others = image.chunks(4).filter(|pixel| pixel[..3] != [0; 3]).count();
@@ -131,7 +134,11 @@ fn r34_a_particle_behind_another_is_not_hidden() {
         };
         let (both, near_alone, far_alone) = (light(&[near, far]), light(&[near]), light(&[far]));
         assert!(near_alone.total(0) > far_alone.total(0) && far_alone.total(0) > 0.0);
-        let sum = near_alone.steps.iter().zip(&far_alone.steps).map(|(a, b)| a + b);
+        let sum = near_alone
+            .steps
+            .iter()
+            .zip(&far_alone.steps)
+            .map(|(a, b)| a + b);
         assert!(both.steps.iter().copied().eq(sum), "light does not add up");
     });
 }
@@ -158,7 +165,10 @@ fn r35_light_does_not_depend_on_distance() {
             let near = at_depth(8.0);
             assert!(near.total(0) > 1000.0);
             for &depth in sample(on, &[16.0, 256.0, 32.0]) {
-                assert!(at_depth(depth) == near, "{shape}: another picture from {depth} away");
+                assert!(
+                    at_depth(depth) == near,
+                    "{shape}: another picture from {depth} away"
+                );
             }
             assert_within(shape, at_depth(91.7).total(0), near.total(0), 1e-4);
         }
@@ -173,12 +183,17 @@ fn r37_the_projected_size_decides_the_pixels() {
             let picture = format!(
                 "image.width = 160\n image.height = 96\n camera.vertical_fov_degrees = {fov}"
             );
-            let sizes = [(0.5, 20.0), (2.0, 40.0), (0.5, 5.0), (1.0, 9.0), (0.05, 1.0)];
+            let sizes = [
+                (0.5, 20.0),
+                (2.0, 40.0),
+                (0.5, 5.0),
+                (1.0, 9.0),
+                (0.05, 1.0),
+            ];
             for &(size, depth) in sample(on, &sizes) {
                 let radius = size * focal / depth;
                 for (x, y) in [(0.0, 0.0), (0.3 * depth, -0.1 * depth)] {
-                    let lines =
-                        format!("size = {size}\n position = [{x}, {y}, {}]", 32.0 - depth);
+                    let lines = format!("size = {size}\n position = [{x}, {y}, {}]", 32.0 - depth);
                     let disc = light_of(on, &picture, &lines);
                     let what = format!("disc of {size} at {depth}, {fov} degrees");
                     assert_within(&what, coverage(&disc), PI * radius * radius, 0.02);
@@ -196,7 +211,10 @@ fn r37_the_projected_size_decides_the_pixels() {
         }
         // Nothing is drawn nearer than `near`, nor behind the camera.
         for z in [31.95, 32.0, 40.0] {
-            assert!(light_of(on, "", &format!("position = [0, 0, {z}]")).is_dark(), "at {z}");
+            assert!(
+                light_of(on, "", &format!("position = [0, 0, {z}]")).is_dark(),
+                "at {z}"
+            );
         }
     });
 }
@@ -213,7 +231,10 @@ fn r39_sums_clamp_and_never_wrap() {
             run.step_to(0);
             let image = run.image();
             let at = (31 * 64 + 32) * 4;
-            ([image[at], image[at + 1], image[at + 2]], run.light().at(32, 31, 0))
+            (
+                [image[at], image[at + 1], image[at + 2]],
+                run.light().at(32, 31, 0),
+            )
         };
         assert_eq!(pixel(1, 1.0 / 255.0).0, [1, 0, 1]);
         assert_eq!(pixel(254, 1.0 / 255.0).0, [254, 0, 254]);
@@ -221,48 +242,4 @@ fn r39_sums_clamp_and_never_wrap() {
         // 2^32 steps of light are 4,096: well past what 32 bits hold.
         assert_eq!(pixel(20_000, 1000.0), ([255, 0, 255], 2e7));
     });
-}
-
-#[test]
-fn r40_the_order_of_systems_does_not_matter() {
-    let scene = everything();
-    let reversed = Scene { systems: scene.systems.iter().rev().cloned().collect(), ..scene.clone() };
-    on_every_backend(|on| {
-        let result = |scene: &Scene| {
-            let mut run = Run::new(on, scene, 12);
-            run.step_to(11);
-            let order: Vec<_> = run.members().iter().map(|member| member.who).collect();
-            (order, run.light(), run.image())
-        };
-        let (first, second) = (result(&scene), result(&reversed));
-        assert_ne!(first.0, second.0, "the particles stand in another order");
-        assert!(first.1 == second.1 && first.2 == second.2, "another picture");
-    });
-}
-
-#[test]
-fn r40_the_order_of_particles_does_not_matter() {
-    let scene = everything();
-    let plan = Plan::new(&scene, 12).expect("the scene can be planned");
-    let mut run = Run::of_plan("cpu", plan.clone());
-    run.step_to(11);
-    let drawn = run.light();
-    let mut particles: Vec<Particle> = run.members().iter().map(|member| member.raw).collect();
-    assert!(particles.len() > 2000);
-    let inputs = plan.inputs(11);
-    for salt in 0..4 {
-        let sums = LightSums::new(plan.width, plan.height);
-        particles.sort_by_key(|particle| {
-            let words = [particle.position_and_index, particle.velocity_and_birth].concat();
-            words.iter().fold(salt, |sum, word| hash(sum ^ word))
-        });
-        for particle in &particles {
-            splat(particle, &inputs, &inputs.rows, &sums);
-        }
-        let same = |(at, &steps): (usize, &u64)| {
-            let (low, high) = sums.limbs(at);
-            steps == u64::from(low) | (u64::from(high) << 32)
-        };
-        assert!(drawn.steps.iter().enumerate().all(same), "another picture, salt {salt}");
-    }
 }

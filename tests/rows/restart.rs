@@ -38,7 +38,11 @@ fn r73_a_restart_at_any_frame_equals_the_whole_run() {
         let plan = plan_of(scene);
         on_every_backend(|on| {
             // L_max = 14 is later than some of these frames, and before others.
-            let frames: &[u32] = if on == "cpu" { &[0, 1, 5, 13, 14, 15, 22, 37] } else { &[5, 22] };
+            let frames: &[u32] = if on == "cpu" {
+                &[0, 1, 5, 13, 14, 15, 22, 37]
+            } else {
+                &[5, 22]
+            };
             for &frame in frames {
                 let mut run = Run::of_plan(on, plan.clone());
                 run.simulation.seek(frame).expect("the backend steps");
@@ -46,7 +50,10 @@ fn r73_a_restart_at_any_frame_equals_the_whole_run() {
                 let first = frame.saturating_sub(longest);
                 let expected: Vec<_> = (first..=frame).map(|frame| (frame, "step")).collect();
                 assert_eq!(run.take_calls(), expected, "frame {frame}");
-                assert!(result(&mut run) == whole_run(on, &plan, frame), "frame {frame} on {on}");
+                assert!(
+                    result(&mut run) == whole_run(on, &plan, frame),
+                    "frame {frame} on {on}"
+                );
             }
         });
     }
@@ -65,7 +72,9 @@ fn r73_the_longest_lifetime_is_waited_for_and_no_longer() {
         let whole = whole_run(on, &plan, 20);
         let from = |first: u32| {
             let mut run = Run::of_plan(on, plan.clone());
-            run.simulation.seek_from(first, 20).expect("the backend steps");
+            run.simulation
+                .seek_from(first, 20)
+                .expect("the backend steps");
             result(&mut run)
         };
         assert!(from(14) == whole);
@@ -83,7 +92,10 @@ fn r73_a_restart_knows_the_parameters_of_each_birth() {
         for &frame in frames {
             let mut run = Run::of_plan(on, plan.clone());
             run.simulation.seek(frame).expect("the backend steps");
-            assert!(result(&mut run) == whole_run(on, &plan, frame), "frame {frame} on {on}");
+            assert!(
+                result(&mut run) == whole_run(on, &plan, frame),
+                "frame {frame} on {on}"
+            );
         }
     });
 }
@@ -109,7 +121,10 @@ fn r72_a_checkpoint_is_small_and_goes_on_with_the_same_bits() {
     let path = folder.path().join("small.toml");
     std::fs::write(&path, SMALL).expect("the scene can be written");
     let path = path.to_str().expect("the path is text").to_owned();
-    let change = |frame, set: &str| Change { frame, set: set.to_owned() };
+    let change = |frame, set: &str| Change {
+        frame,
+        set: set.to_owned(),
+    };
     let recording = Recording {
         changes: vec![
             change(4, "system.cloud.speed.mean=0.1"),
@@ -137,7 +152,10 @@ fn r72_a_checkpoint_is_small_and_goes_on_with_the_same_bits() {
     let digests = |simulation: &mut Simulation| {
         simulation.draw().expect("the backend draws");
         let state = simulation.state_digest().expect("the backend digests");
-        (state, simulation.image_digest().expect("the backend digests"))
+        (
+            state,
+            simulation.image_digest().expect("the backend digests"),
+        )
     };
     let at = |seed: u64, frame: u32| Checkpoint {
         scene: path.clone(),
@@ -159,7 +177,11 @@ fn r72_a_checkpoint_is_small_and_goes_on_with_the_same_bits() {
         let mut resumed = begin(on, &read);
         resumed.seek(read.frame).expect("the backend steps");
         assert_eq!(resumed.frame(), Some(20));
-        assert_eq!(digests(&mut resumed), digests(&mut whole), "at the checkpoint");
+        assert_eq!(
+            digests(&mut resumed),
+            digests(&mut whole),
+            "at the checkpoint"
+        );
         for frame in 21..34 {
             whole.step().expect("the backend steps");
             resumed.step().expect("the backend steps");
@@ -174,7 +196,10 @@ fn r72_a_checkpoint_is_small_and_goes_on_with_the_same_bits() {
         let expected = digests(&mut whole);
         assert_eq!(digests_of(&at(77, 33)), expected);
         assert_ne!(digests_of(&at(78, 33)), expected);
-        let unchanged = Checkpoint { recording: Recording::default(), ..at(77, 33) };
+        let unchanged = Checkpoint {
+            recording: Recording::default(),
+            ..at(77, 33)
+        };
         assert_ne!(digests_of(&unchanged), expected);
     });
 }
@@ -183,7 +208,13 @@ fn r72_a_checkpoint_is_small_and_goes_on_with_the_same_bits() {
 fn r72_the_size_of_a_checkpoint_does_not_depend_on_the_particles() {
     let text = |scene: &str| {
         let recording = Recording::default();
-        Checkpoint { scene: scene.into(), seed: u64::MAX, frame: 999_999, recording }.to_text()
+        Checkpoint {
+            scene: scene.into(),
+            seed: u64::MAX,
+            frame: 999_999,
+            recording,
+        }
+        .to_text()
     };
     // A million particles, in less than they would need for two.
     assert!(text("million").len() < 64, "{}", text("million"));

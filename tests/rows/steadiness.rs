@@ -1,7 +1,7 @@
 //! Antialiasing: what moves by a fraction of a pixel changes by a fraction (Reeves 1983, 2.5).
 
-use crate::raster::light_of;
-use crate::support::{Light, assert_within, on_every_backend, sample};
+use crate::light::{Light, light_of};
+use crate::support::{assert_within, on_every_backend, sample};
 
 /// Full colour of a particle of these tests, in red.
 const FULL: f64 = 64.0;
@@ -13,7 +13,11 @@ fn pictures(on: &str, lines: &str, (x, y): (f64, f64), shift_px: f64) -> Vec<Lig
     (0..count)
         .map(|step| {
             let along = shift_px * f64::from(step);
-            let place = format!("position = [{}, {}, 0]", 0.03 + along * x, -0.41 + along * y);
+            let place = format!(
+                "position = [{}, {}, 0]",
+                0.03 + along * x,
+                -0.41 + along * y
+            );
             light_of(on, "", &format!("{place}\n{lines}"))
         })
         .collect()
@@ -22,7 +26,10 @@ fn pictures(on: &str, lines: &str, (x, y): (f64, f64), shift_px: f64) -> Vec<Lig
 /// The largest change of a pixel from one picture to the next.
 fn most_change(pictures: &[Light]) -> f64 {
     let changes = pictures.windows(2).flat_map(|pair| {
-        pair[0].pixels(0).zip(pair[1].pixels(0)).map(|(before, after)| (after.2 - before.2).abs())
+        pair[0]
+            .pixels(0)
+            .zip(pair[1].pixels(0))
+            .map(|(before, after)| (after.2 - before.2).abs())
     });
     changes.fold(0.0, f64::max)
 }
@@ -36,7 +43,9 @@ fn faults(on: &str, lines: &str, slope: f64) -> Vec<String> {
         for &shift_px in sample(on, &[0.125, 1.0 / 128.0]) {
             let pictures = pictures(on, lines, (x, y), shift_px);
             let first = pictures[0].total(0);
-            let offs = pictures.iter().map(|picture| (picture.total(0) / first - 1.0).abs());
+            let offs = pictures
+                .iter()
+                .map(|picture| (picture.total(0) / first - 1.0).abs());
             let off = offs.fold(0.0, f64::max);
             let change = most_change(&pictures) / FULL / (shift_px * (x + y.abs()));
             let moved = pictures.first() != pictures.last();
@@ -55,7 +64,12 @@ fn faults(on: &str, lines: &str, slope: f64) -> Vec<String> {
 }
 
 fn assert_none(faults: &[String]) {
-    assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
+    assert!(
+        faults.is_empty(),
+        "{} faults:\n{}",
+        faults.len(),
+        faults.join("\n")
+    );
 }
 
 /// A disc's edge falls off over one pixel, and a gain keeps its light constant. Together their
@@ -66,11 +80,17 @@ const DISC_SLOPE: f64 = 1.6;
 fn r38_discs_are_steady() {
     on_every_backend(|on| {
         let sizes = [
-            0.68, 0.2, 0.05, 0.4, 0.5, 0.57, 0.6, 0.65, 0.8, 1.0, 1.1, 1.12, 1.13, 1.5, 2.0, 2.5, 3.0,
-            3.7, 3.99, 4.01, 6.3, 11.0,
+            0.68, 0.2, 0.05, 0.4, 0.5, 0.57, 0.6, 0.65, 0.8, 1.0, 1.1, 1.12, 1.13, 1.5, 2.0, 2.5,
+            3.0, 3.7, 3.99, 4.01, 6.3, 11.0,
         ];
-        let discs = sample(on, &sizes).iter().map(|size| format!("size = {size}"));
-        assert_none(&discs.flat_map(|lines| faults(on, &lines, DISC_SLOPE)).collect::<Vec<_>>());
+        let discs = sample(on, &sizes)
+            .iter()
+            .map(|size| format!("size = {size}"));
+        assert_none(
+            &discs
+                .flat_map(|lines| faults(on, &lines, DISC_SLOPE))
+                .collect::<Vec<_>>(),
+        );
     });
 }
 
@@ -80,7 +100,11 @@ fn r38_squares_are_steady() {
         let sizes = [0.3, 2.2, 0.05, 0.5, 0.8, 1.0, 7.0];
         let square = |size: &f64| format!("size = {size}\n particle_shape = \"rectangle\"");
         let squares = sample(on, &sizes).iter().map(square);
-        assert_none(&squares.flat_map(|lines| faults(on, &lines, 1.0)).collect::<Vec<_>>());
+        assert_none(
+            &squares
+                .flat_map(|lines| faults(on, &lines, 1.0))
+                .collect::<Vec<_>>(),
+        );
     });
 }
 
@@ -117,8 +141,13 @@ fn r38_streaks_are_steady() {
 #[test]
 fn r38_what_grows_does_not_pop() {
     // Across every limit in the drawing of discs, a hundredth of a pixel a frame.
-    let light =
-        |size: f64| light_of("cpu", "", &format!("size = {size}\n position = [0.2, 0.37, 0]"));
+    let light = |size: f64| {
+        light_of(
+            "cpu",
+            "",
+            &format!("size = {size}\n position = [0.2, 0.37, 0]"),
+        )
+    };
     let mut before = light(0.02);
     for step in 3..700 {
         let size = f64::from(step) * 0.01;
@@ -128,7 +157,10 @@ fn r38_what_grows_does_not_pop() {
         let most = most_change(&[before, after.clone()]) / FULL;
         // While a disc is on one pixel, that gets all that the area grows by: 2 pi r dr.
         let bound = 0.01 * (2.0 * std::f64::consts::PI * size.min(0.5)).max(1.0);
-        assert!(most <= 1.1 * bound, "size {size}: a pixel changes by {most}, bound {bound}");
+        assert!(
+            most <= 1.1 * bound,
+            "size {size}: a pixel changes by {most}, bound {bound}"
+        );
         before = after;
     }
 }
@@ -149,7 +181,10 @@ fn r38_what_speeds_up_does_not_pop() {
         let after = light(0.01 * f64::from(step));
         // The start moves by 0.02, the end by 0.03.
         let most = most_change(&[before, after.clone()]) / FULL;
-        assert!(most <= DISC_SLOPE * 0.03, "length {step}/100: a pixel changes by {most}");
+        assert!(
+            most <= DISC_SLOPE * 0.03,
+            "length {step}/100: a pixel changes by {most}"
+        );
         before = after;
     }
 }

@@ -3,10 +3,9 @@
 use std::f64::consts::PI;
 
 use glam::DVec2;
-use motes::scene::{self, BUILTIN, ParticleShape, Scene};
 
-use crate::raster::{coverage, light_of};
-use crate::support::{Light, Run, assert_within, on_every_backend, sample, scene as scene_of};
+use crate::light::{coverage, light_of};
+use crate::support::{assert_within, on_every_backend, sample, scene as scene_of};
 
 /// A streak that flies along cos a x + sin a y, `speed` a frame; its first frame is drawn.
 fn streak(size: f64, speed: f64, degrees: f64, (x, y): (f64, f64)) -> String {
@@ -25,20 +24,54 @@ struct Moments {
     axis: DVec2,
 }
 
-fn moments(light: &Light) -> Moments {
-    let sums = light.pixels(0).fold((0.0, DVec2::ZERO), |(total, first), (x, y, light)| {
-        (total + light, first + light * DVec2::new(x, y))
-    });
+/// Column, row and light.
+type Sample = (f64, f64, f64);
+
+/// The light of one particle, sampled at quarters of pixels: from pictures with the particle
+/// shifted by so much, pixels alone being too few across a thin streak. `lines` are of the
+/// particle shifted to the right and downward.
+fn samples(on: &str, picture: &str, lines: impl Fn(f64, f64) -> String) -> Vec<Sample> {
+    let mut samples = Vec::new();
+    for step in 0..16 {
+        let (right, down) = (f64::from(step % 4) / 4.0, f64::from(step / 4) / 4.0);
+        let light = light_of(on, picture, &lines(right, down));
+        samples.extend(
+            light
+                .pixels(0)
+                .map(|(x, y, light)| (x - right, y - down, light / 16.0)),
+        );
+    }
+    samples
+}
+
+fn moments(samples: &[Sample]) -> Moments {
+    let sums = samples
+        .iter()
+        .fold((0.0, DVec2::ZERO), |(total, first), &(x, y, light)| {
+            (total + light, first + light * DVec2::new(x, y))
+        });
     let (total, center) = (sums.0, sums.1 / sums.0);
-    let second = light.pixels(0).fold([0.0; 3], |[xx, xy, yy], (x, y, light)| {
-        let d = DVec2::new(x, y) - center;
-        [xx + light * d.x * d.x, xy + light * d.x * d.y, yy + light * d.y * d.y]
-    });
+    let second = samples
+        .iter()
+        .fold([0.0; 3], |[xx, xy, yy], &(x, y, light)| {
+            let d = DVec2::new(x, y) - center;
+            [
+                xx + light * d.x * d.x,
+                xy + light * d.x * d.y,
+                yy + light * d.y * d.y,
+            ]
+        });
     let angle = 0.5 * (2.0 * second[1]).atan2(second[0] - second[2]);
     let axis = DVec2::new(angle.cos(), angle.sin());
-    let along =
-        axis.x * axis.x * second[0] + 2.0 * axis.x * axis.y * second[1] + axis.y * axis.y * second[2];
-    Moments { total, center, along, axis }
+    let along = axis.x * axis.x * second[0]
+        + 2.0 * axis.x * axis.y * second[1]
+        + axis.y * axis.y * second[2];
+    Moments {
+        total,
+        center,
+        along,
+        axis,
+    }
 }
 
 /// Where a streak begins and ends, in pixels, by its light alone.
@@ -48,18 +81,25 @@ fn moments(light: &Light) -> Moments {
 /// point. An end is half of the streak's own profile k(d) across, turned about the point, so these
 /// are integrals of k(d) d, k(d) d^2 and k(d) d^3, measured around the middle. With w gone, S rises
 /// with L, and is solved for it.
-fn ends(light: &Light) -> [DVec2; 2] {
-    let of = moments(light);
+fn ends(samples: &[Sample]) -> [DVec2; 2] {
+    let of = moments(samples);
     // Well within the ends, and smooth, so that places of pixels average out.
     let window = 0.3 * (12.0 * of.along / of.total).sqrt();
     let across = |power: i32| {
-        let sum: f64 = light
-            .pixels(0)
-            .map(|(x, y, light)| {
+        let sum: f64 = samples
+            .iter()
+            .map(|&(x, y, light)| {
                 let from_center = DVec2::new(x, y) - of.center;
-                let (u, d) = (from_center.dot(of.axis), from_center.perp_dot(of.axis).abs());
+                let (u, d) = (
+                    from_center.dot(of.axis),
+                    from_center.perp_dot(of.axis).abs(),
+                );
                 let share = (0.5 * PI * u / window).cos().powi(2);
-                if u.abs() < window { light * share * d.powi(power) } else { 0.0 }
+                if u.abs() < window {
+                    light * share * d.powi(power)
+                } else {
+                    0.0
+                }
             })
             .sum();
         sum / window
@@ -72,7 +112,11 @@ fn ends(light: &Light) -> [DVec2; 2] {
     let (mut low, mut high) = (0.0, 1000.0);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
-        if second(middle) < of.along { low = middle } else { high = middle }
+        if second(middle) < of.along {
+            low = middle
+        } else {
+            high = middle
+        }
     }
     let half = 0.5 * low * of.axis;
     [of.center - half, of.center + half]
@@ -80,10 +124,17 @@ fn ends(light: &Light) -> [DVec2; 2] {
 
 /// Fails unless the streak's ends are these, in either order, to 0.1 pixels.
 fn assert_ends(what: &str, got: [DVec2; 2], expected: [DVec2; 2]) {
-    let off = |a: usize, b: usize| got[a].distance(expected[0]).max(got[b].distance(expected[1]));
+    let off = |a: usize, b: usize| {
+        got[a]
+            .distance(expected[0])
+            .max(got[b].distance(expected[1]))
+    };
     let off = off(0, 1).min(off(1, 0));
     println!("{what}: ends off by {off:.3} px");
-    assert!(off <= 0.1, "{what}: ends at {got:?}, expected {expected:?}, off by {off} px");
+    assert!(
+        off <= 0.1,
+        "{what}: ends at {got:?}, expected {expected:?}, off by {off} px"
+    );
 }
 
 const CONSTANT: &str = "streak_light = \"constant\"";
@@ -93,17 +144,33 @@ fn r59_streaks_span_from_the_frames_start_to_when_the_shutter_closes() {
     on_every_backend(|on| {
         for &(size, speed, degrees) in sample(
             on,
-            &[(1.5, 24.0, 0.0), (0.5, 30.0, 31.0), (0.5, 24.0, 90.0), (2.0, 30.0, -58.0), (1.0, 20.0, 45.0)],
+            &[
+                (1.5, 24.0, 0.0),
+                (0.5, 30.0, 31.0),
+                (0.5, 24.0, 90.0),
+                (2.0, 30.0, -58.0),
+                (1.0, 20.0, 45.0),
+            ],
         ) {
-            let direction = DVec2::new(f64::to_radians(degrees).cos(), -f64::to_radians(degrees).sin());
+            let direction = DVec2::new(
+                f64::to_radians(degrees).cos(),
+                -f64::to_radians(degrees).sin(),
+            );
             // Born so far back that the streak is around the middle of the picture.
             let at = (-1.2 * speed * direction.x, 1.2 * speed * direction.y);
             // Rows count down. After its first frame: p = p0 + v.
             let start = DVec2::new(32.0 + at.0, 32.0 - at.1) + speed * direction;
             let what = format!("radius {size}, {speed} a frame at {degrees} degrees");
             for share in [CONSTANT, ""] {
-                let light = light_of(on, "", &format!("{}\n{share}", streak(size, speed, degrees, at)));
-                assert_ends(&what, ends(&light), [start, start + 0.5 * speed * direction]);
+                let samples = samples(on, "", |right, down| {
+                    let at = (at.0 + right, at.1 - down);
+                    format!("{}\n{share}", streak(size, speed, degrees, at))
+                });
+                assert_ends(
+                    &what,
+                    ends(&samples),
+                    [start, start + 0.5 * speed * direction],
+                );
             }
         }
     });
@@ -128,10 +195,15 @@ fn r59_ends_are_projected_each_at_its_own_depth() {
                 a.to_degrees(),
                 b.to_degrees()
             );
-            let light = light_of(on, "", &lines);
+            // Askew, so that its pixels are at many distances from its middle already.
+            let samples: Vec<Sample> = light_of(on, "", &lines).pixels(0).collect();
             let after = |frames: f64| [-30.0 + frames * v[0], -6.0 + frames * v[1], frames * v[2]];
             let expected = [projected(after(1.0)), projected(after(1.5))];
-            assert_ends(&format!("{z_speed} nearer a frame"), ends(&light), expected);
+            assert_ends(
+                &format!("{z_speed} nearer a frame"),
+                ends(&samples),
+                expected,
+            );
         }
     });
 }
@@ -154,85 +226,61 @@ fn r59_a_streaks_light_does_not_depend_on_its_length() {
         // Also of one that leaves the picture on both sides: what is inside is the even share.
         let long = light_of(on, "", &streak(1.0, 400.0, 0.0, (-500.0, 0.0)));
         let expected = PI * 64.0 / (200.0 + PI / 2.0);
-        assert_within("what is seen of a long streak", coverage(&long), expected, 0.01);
+        assert_within(
+            "what is seen of a long streak",
+            coverage(&long),
+            expected,
+            0.01,
+        );
     });
 }
 
 #[test]
 fn r59_conserved_and_constant_streaks_have_one_shape() {
-    let of = |lines: &str| light_of("cpu", "", &format!("{}\n{lines}", streak(2.0, 20.0, 20.0, (-20.0, -8.0))));
+    let of = |share: &str| {
+        samples("cpu", "", |right, down| {
+            let streak = streak(2.0, 20.0, 20.0, (-20.0 + right, -8.0 - down));
+            format!("{streak}\n{share}")
+        })
+    };
     let (conserved, constant) = (of(""), of(CONSTANT));
     let (a, b) = (moments(&conserved), moments(&constant));
-    assert!(b.total > 3.0 * a.total, "a constant streak is as bright as it is long");
+    assert!(
+        b.total > 3.0 * a.total,
+        "a constant streak is as bright as it is long"
+    );
     assert!(a.center.distance(b.center) < 0.02);
-    assert_within("length", (a.along / a.total).sqrt(), (b.along / b.total).sqrt(), 0.01);
+    assert_within(
+        "length",
+        (a.along / a.total).sqrt(),
+        (b.along / b.total).sqrt(),
+        0.01,
+    );
 }
 
 #[test]
 fn r58_the_shutter_is_open_for_half_a_frame_or_as_the_scene_says() {
     on_every_backend(|on| {
-        let lines = format!("{}\n{CONSTANT}", streak(1.5, 40.0, 0.0, (-50.0, 0.3)));
+        let lines = |right: f64, down: f64| {
+            format!(
+                "{}\n{CONSTANT}",
+                streak(1.5, 40.0, 0.0, (-50.0 + right, 0.3 - down))
+            )
+        };
         let span = |picture: &str| {
-            let [a, b] = ends(&light_of(on, picture, &lines));
+            let [a, b] = ends(&samples(on, picture, lines));
             a.distance(b)
         };
-        let (default, half, shorter) =
-            (span(""), span("image.shutter = 0.5"), span("image.shutter = 0.48"));
+        let (default, half, shorter) = (
+            span(""),
+            span("image.shutter = 0.5"),
+            span("image.shutter = 0.48"),
+        );
         println!("default {default:.3} px, 0.5 {half:.3} px, 0.48 {shorter:.3} px");
         assert_eq!(default, half);
         assert!((half - 20.0).abs() <= 0.1, "{half}");
         assert!((shorter - 19.2).abs() <= 0.1, "{shorter}");
-        assert!(light_of(on, "image.shutter = 0", &lines).total(0) > 0.0);
+        assert!(light_of(on, "image.shutter = 0", &lines(0.0, 0.0)).total(0) > 0.0);
     });
     assert_eq!(scene_of("", &[""]).image.shutter, 0.5);
-}
-
-/// The scene with at most about `most` particles alive, everything else as it is.
-fn thinned(scene: &Scene, most: f32) -> Scene {
-    let mut scene = scene.clone();
-    let plan = motes::plan::Plan::new(&scene, scene.frames).expect("the scene can be planned");
-    let share = (most / plan.capacity as f32).min(1.0);
-    for births in scene.systems.iter_mut().map(|system| &mut system.births) {
-        births.initial_mean_parts *= share;
-        births.delta_mean_parts *= share;
-        births.var_parts *= share;
-    }
-    scene.capacity = None;
-    scene
-}
-
-#[test]
-fn r60_shipped_scenes_bend_less_than_half_a_pixel_in_a_streak() {
-    let mut streaks_seen = 0;
-    for builtin in BUILTIN {
-        let scene = scene::load(builtin.name).expect("a built-in scene is right");
-        let is_streak = |system: u32| {
-            scene.systems[system as usize].particle_shape == ParticleShape::Streak
-        };
-        if !(0..scene.systems.len() as u32).any(is_streak) {
-            println!("{}: no streaks", builtin.name);
-            continue;
-        }
-        let mut run = Run::new("cpu", &thinned(&scene, 4000.0), scene.frames);
-        let mut most = 0.0f32;
-        for frame in 0..scene.frames {
-            run.step_to(frame);
-            let seen = run.simulation.plan().inputs(frame).frame;
-            for member in run.members().iter().filter(|member| is_streak(member.state.system)) {
-                let [x, y, z] = member.state.position;
-                let [rx, ry, rz, rw] = seen.view_from_world_z;
-                let depth = rx * x + ry * y + rz * z + rw;
-                if depth < seen.near {
-                    continue;
-                }
-                let [ax, ay, az] = scene.systems[member.state.system as usize].acceleration;
-                let bend = (ax * ax + ay * ay + az * az).sqrt() / 32.0;
-                most = most.max(bend * seen.focal_px / depth);
-                streaks_seen += 1;
-            }
-        }
-        println!("{}: a streak bends by at most {most:.4} px", builtin.name);
-        assert!(most < 0.5, "{}: a streak bends by {most} px", builtin.name);
-    }
-    assert!(streaks_seen > 1000, "the shipped scenes have streaks");
 }

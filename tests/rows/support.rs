@@ -12,6 +12,7 @@ use motes::scene::Scene;
 use motes::simulation::{ParticleState, Simulation};
 
 use crate::common;
+use crate::light::{self, Light};
 
 /// At z = 0 a world unit is a pixel, and the origin is the middle of the picture: 64 pixels at
 /// 90 degrees from 32 units away.
@@ -44,7 +45,8 @@ fn over(defaults: &str, lines: &str) -> String {
         lines.lines().any(|line| replaces(key_of(line)))
     };
     let kept = defaults.lines().filter(|line| !is_given(line));
-    kept.chain(lines.lines()).fold(String::new(), |text, line| text + line.trim() + "\n")
+    kept.chain(lines.lines())
+        .fold(String::new(), |text, line| text + line.trim() + "\n")
 }
 
 /// A scene of lines of TOML, a key each, over the defaults above: `picture` at the top, with
@@ -60,13 +62,16 @@ pub(crate) fn scene(picture: &str, systems: &[&str]) -> Scene {
 
 /// `cpu` and the adapters that tests must run on.
 pub(crate) fn backends() -> Vec<String> {
-    std::iter::once("cpu".to_owned()).chain(common::adapters()).collect()
+    std::iter::once("cpu".to_owned())
+        .chain(common::adapters())
+        .collect()
 }
 
 /// Runs `test` on the processor and on every adapter.
 pub(crate) fn on_every_backend(test: impl Fn(&str)) {
     for name in backends() {
         println!("on {name}");
+        let _emptied = light::EmptyAtTheEnd;
         test(&name);
     }
 }
@@ -74,7 +79,11 @@ pub(crate) fn on_every_backend(test: impl Fn(&str)) {
 /// All of them on the processor, and the first two on an adapter, where a run takes long to begin
 /// and gives the same bits.
 pub(crate) fn sample<'a, T>(on: &str, all: &'a [T]) -> &'a [T] {
-    if on == "cpu" { all } else { &all[..all.len().min(2)] }
+    if on == "cpu" {
+        all
+    } else {
+        &all[..all.len().min(2)]
+    }
 }
 
 /// What a simulation asked its backend for: the frame, and `step` or `draw`.
@@ -152,22 +161,39 @@ pub(crate) struct Run {
 impl Run {
     /// A run of `scene`, for frames below `frame_end`, on `cpu` or the adapter of that name.
     pub(crate) fn new(on: &str, scene: &Scene, frame_end: u32) -> Self {
-        Self::of_plan(on, Plan::new(scene, frame_end).expect("the scene can be planned"))
+        Self::of_plan(
+            on,
+            Plan::new(scene, frame_end).expect("the scene can be planned"),
+        )
     }
 
     /// A run of `plan` on `cpu` or the adapter of that name.
     pub(crate) fn of_plan(on: &str, plan: Plan) -> Self {
         let backend: Box<dyn Backend> = match on {
             "cpu" => Box::new(common::on_cpu(&plan)),
-            name => Box::new(common::on_gpu(&common::open(name), &plan, &GpuOptions::default())),
+            name => Box::new(common::on_gpu(
+                &common::open(name),
+                &plan,
+                &GpuOptions::default(),
+            )),
         };
-        let backend = Shared(Rc::new(RefCell::new(Held { backend, calls: Vec::new() })));
-        Self { simulation: Simulation::with_backend(plan, Box::new(backend.clone())), backend }
+        let backend = Shared(Rc::new(RefCell::new(Held {
+            backend,
+            calls: Vec::new(),
+        })));
+        Self {
+            simulation: Simulation::with_backend(plan, Box::new(backend.clone())),
+            backend,
+        }
     }
 
     /// Steps until `frame` has been stepped, from frame 0 if the run has not begun.
     pub(crate) fn step_to(&mut self, frame: u32) {
-        while self.simulation.frame().is_none_or(|stepped| stepped < frame) {
+        while self
+            .simulation
+            .frame()
+            .is_none_or(|stepped| stepped < frame)
+        {
             self.simulation.step().expect("the backend steps");
         }
     }
@@ -181,17 +207,29 @@ impl Run {
     /// The living.
     pub(crate) fn members(&mut self) -> Vec<Member> {
         let states = self.simulation.particles().expect("the state can be read");
-        let words = self.backend.read("particles").expect("the state can be read");
+        let words = self
+            .backend
+            .read("particles")
+            .expect("the state can be read");
         let inputs = self.inputs();
         let mut rows = (inputs.frame.frame, inputs.rows.clone());
         let member = |(raw, state): (Particle, ParticleState)| {
             let (who, age) = identity_of(&raw, &inputs);
             if rows.0 != who.birth_frame {
-                rows = (who.birth_frame, self.simulation.plan().inputs(who.birth_frame).rows);
+                rows = (
+                    who.birth_frame,
+                    self.simulation.plan().inputs(who.birth_frame).rows,
+                );
             }
             let row = &rows.1[row_index(raw.slot(), 0, 0)];
             let at_birth = appearance_of(who, row, 0);
-            Member { who, raw, state, at_birth, drawn: appearance_of(who, row, age + 1) }
+            Member {
+                who,
+                raw,
+                state,
+                at_birth,
+                drawn: appearance_of(who, row, age + 1),
+            }
         };
         let raws: Vec<Particle> = bytemuck::pod_collect_to_vec(&words);
         assert_eq!(raws.len(), states.len());
@@ -200,7 +238,9 @@ impl Run {
 
     /// Statistics of the frames since the last call.
     pub(crate) fn statistics(&mut self) -> Vec<FrameStats> {
-        self.simulation.take_statistics().expect("the statistics can be read")
+        self.simulation
+            .take_statistics()
+            .expect("the statistics can be read")
     }
 
     /// Draws the last frame stepped, and reads the image.
@@ -227,40 +267,16 @@ impl Run {
     }
 }
 
-/// The sums of light of an image, three channels a pixel, rows from the top.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Light {
-    pub(crate) width: usize,
-    /// Counts of 2^-20.
-    pub(crate) steps: Vec<u64>,
-}
-
-impl Light {
-    /// Light of a channel of the pixel at column `x`, row `y`.
-    pub(crate) fn at(&self, x: usize, y: usize, channel: usize) -> f64 {
-        self.steps[(y * self.width + x) * 3 + channel] as f64 / f64::from(1 << 20)
-    }
-
-    /// Every pixel's centre, in pixels from the left top corner, and its light in a channel.
-    pub(crate) fn pixels(&self, channel: usize) -> impl Iterator<Item = (f64, f64, f64)> + '_ {
-        let places = (0..self.steps.len() / 3).map(|at| (at % self.width, at / self.width));
-        places.map(move |(x, y)| (x as f64 + 0.5, y as f64 + 0.5, self.at(x, y, channel)))
-    }
-
-    /// All light of a channel.
-    pub(crate) fn total(&self, channel: usize) -> f64 {
-        self.pixels(channel).map(|(_, _, light)| light).sum()
-    }
-
-    /// Whether no light has fallen anywhere.
-    pub(crate) fn is_dark(&self) -> bool {
-        self.steps.iter().all(|&steps| steps == 0)
-    }
-}
-
 /// Fails unless `got` is within a `share` of `expected`.
 pub(crate) fn assert_within(what: &str, got: f64, expected: f64, share: f64) {
     let off = got / expected - 1.0;
-    println!("{what}: {got:.5}, expected {expected:.5}, off by {:+.3} %", off * 100.0);
-    assert!(off.abs() <= share, "{what}: {got}, expected {expected}, off by {:+.3} %", off * 100.0);
+    println!(
+        "{what}: {got:.5}, expected {expected:.5}, off by {:+.3} %",
+        off * 100.0
+    );
+    assert!(
+        off.abs() <= share,
+        "{what}: {got}, expected {expected}, off by {:+.3} %",
+        off * 100.0
+    );
 }

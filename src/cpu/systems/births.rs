@@ -2,13 +2,15 @@
 //! The float work is the twin of `wgsl/systems/births.wgsl`; the sums are plain Rust.
 
 use crate::cpu::particle::{Identity, STREAM_BIRTHS, draw};
-use crate::exact::to_i32;
+use crate::exact::{shared_constants, to_i32};
 use crate::layout::{Counts, SystemFrame};
 use crate::plan::FrameInputs;
 use crate::rng::{signed_float, unit_float};
 
-/// Below 2^24, so that a count is exact as a float.
-pub const MOST_BIRTHS: i32 = 16_777_215;
+shared_constants! {
+    /// Below 2^24, so that a count is exact as a float.
+    pub const MOST_BIRTHS: i32 = 16_777_215;
+}
 
 /// Births that the system asks for in `frame` (Reeves 1983, 2.1).
 pub fn births_of(system: &SystemFrame, frame: u32) -> u32 {

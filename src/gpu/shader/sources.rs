@@ -34,6 +34,7 @@ pub static LIBRARIES: &[Source] = sources![
     "lib/rng",
     "lib/light",
     "lib/particle",
+    "lib/footprint",
 ];
 
 /// Kernels, in the order of the frame.
@@ -50,6 +51,8 @@ pub static KERNELS: &[Source] = sources![
     "scan/pages",
     "particles/advance",
     "draw/splat",
+    "draw/large_work",
+    "draw/splat_large",
     "draw/resolve",
     "digest/digest",
 ];

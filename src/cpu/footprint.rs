@@ -1,0 +1,260 @@
+//! The pixels that a particle covers, and how much of each, antialiased (Reeves 1983, 2.5 and 3).
+//! Twin of `wgsl/lib/footprint.wgsl`, line by line; see there for how light is kept.
+
+use glam::Vec3;
+
+use crate::exact::{
+    clamp_exact, f32_of_i32, inverse_square_root, less, max_exact, min_exact, reciprocal,
+    shared_constants, square_root, to_i32,
+};
+use crate::layout::{Frame, SystemFrame};
+
+shared_constants! {
+    /// Half a turn over its radius.
+    pub(crate) const PI: f32 = std::f32::consts::PI;
+    /// Radii are at most this many pixels: four times the largest picture.
+    pub(crate) const MOST_RADIUS_PX: f32 = 16_384.0;
+    /// Footprints of at most this many pixels are summed one by one.
+    pub(crate) const FEW_CELLS: u32 = 2048;
+    /// A disc of at least this radius needs no gain; below half of it, all of it.
+    const LARGE_RADIUS_PX: f32 = 4.0;
+    /// A disc at rest that reaches no further than this covers at most nine pixels.
+    const SMALL_REACH_PX: f32 = 1.5;
+    /// Pixel coordinates are kept within these, and ranges of them below 2^15.
+    const FARTHEST_PX: i32 = 16_777_216;
+    const LONGEST_PX: i32 = 32_768;
+    /// Invocations that share a footprint of many pixels.
+    pub(crate) const SHARES: u32 = 256;
+    /// A disc at rest that covers at most the nine pixels around its centre's.
+    pub(crate) const SMALL_DISC: u32 = 0;
+    /// A disc swept along a segment.
+    pub(crate) const CAPSULE: u32 = 1;
+    /// A square that faces the viewer.
+    pub(crate) const SQUARE: u32 = 2;
+}
+
+/// A point in pixels, its depth along the view axis, and the pixels that a world unit spans there.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Projected {
+    pub(crate) x: f32,
+    pub(crate) y: f32,
+    pub(crate) depth: f32,
+    pub(crate) scale: f32,
+}
+
+/// A disc swept along a segment, or a square; `major` is the axis on which the segment is longer.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Footprint {
+    pub(crate) kind: u32,
+    pub(crate) steep: bool,
+    start_major: f32,
+    start_minor: f32,
+    along_major: f32,
+    along_minor: f32,
+    inverse_length_squared: f32,
+    pub(crate) reach: f32,
+    minor_reach: f32,
+    slope: f32,
+    pub(crate) gain: f32,
+    pub(crate) first: i32,
+    pub(crate) last: i32,
+    pub(crate) minor_size: i32,
+}
+
+#[inline]
+fn transform(x_row: [f32; 4], y_row: [f32; 4], z_row: [f32; 4], p: Vec3) -> Vec3 {
+    Vec3::new(
+        x_row[0] * p.x + x_row[1] * p.y + x_row[2] * p.z + x_row[3],
+        y_row[0] * p.x + y_row[1] * p.y + y_row[2] * p.z + y_row[3],
+        z_row[0] * p.x + z_row[1] * p.y + z_row[2] * p.z + z_row[3],
+    )
+}
+
+/// A point of the system's space in world space.
+#[inline]
+pub fn world_of(system: &SystemFrame, in_system: Vec3) -> Vec3 {
+    transform(
+        system.world_from_system_x,
+        system.world_from_system_y,
+        system.world_from_system_z,
+        in_system,
+    )
+}
+
+#[inline]
+pub(crate) fn project(view: &Frame, system: &SystemFrame, in_system: Vec3) -> Projected {
+    let world = world_of(system, in_system);
+    let seen = transform(
+        view.view_from_world_x,
+        view.view_from_world_y,
+        view.view_from_world_z,
+        world,
+    );
+    let scale = view.focal_px * reciprocal(max_exact(seen.z, view.near));
+    Projected {
+        x: view.center_x_px + seen.x * scale,
+        y: view.center_y_px - seen.y * scale,
+        depth: seen.z,
+        scale,
+    }
+}
+
+/// Whether any of it may fall into the picture.
+#[inline]
+pub(crate) fn is_visible(view: &Frame, start: Projected, end: Projected, radius_px: f32) -> bool {
+    let reach = radius_px + 2.0;
+    let width = f32_of_i32(view.width as i32);
+    let height = f32_of_i32(view.height as i32);
+    !(less(start.depth, view.near)
+        || less(end.depth, view.near)
+        || less(max_exact(start.x, end.x) + reach, 0.0)
+        || less(max_exact(start.y, end.y) + reach, 0.0)
+        || less(width, min_exact(start.x, end.x) - reach)
+        || less(height, min_exact(start.y, end.y) - reach))
+}
+
+/// The radius whose edge, one pixel wide, gives the area of a disc of `radius_px`.
+#[inline]
+fn edged_radius(radius_px: f32) -> f32 {
+    max_exact(square_root(max_exact(radius_px * radius_px - 0.083_333_336, 0.0)), 0.5)
+}
+
+/// How much of the unit interval from `pixel` lies within [low, high].
+#[inline]
+fn overlap(pixel: i32, low: f32, high: f32) -> f32 {
+    let left = f32_of_i32(pixel);
+    clamp_exact(min_exact(left + 1.0, high) - max_exact(left, low), 0.0, 1.0)
+}
+
+#[inline]
+fn span(first: i32, last: i32) -> u32 {
+    (last - first).clamp(0, LONGEST_PX) as u32
+}
+
+impl Footprint {
+    /// How much of a pixel the disc or streak covers, 0 to 1.
+    #[inline]
+    pub(crate) fn weight_at(&self, major: i32, minor: i32) -> f32 {
+        let dx = f32_of_i32(major) + 0.5 - self.start_major;
+        let dy = f32_of_i32(minor) + 0.5 - self.start_minor;
+        let along = (dx * self.along_major + dy * self.along_minor) * self.inverse_length_squared;
+        let t = clamp_exact(along, 0.0, 1.0);
+        let ex = dx - t * self.along_major;
+        let ey = dy - t * self.along_minor;
+        let distance = square_root(ex * ex + ey * ey);
+        clamp_exact(self.reach - distance, 0.0, 1.0)
+    }
+
+    /// How much of a pixel the square covers, 0 to 1.
+    #[inline]
+    pub(crate) fn square_weight_at(&self, major: i32, minor: i32) -> f32 {
+        overlap(major, self.start_major - self.reach, self.start_major + self.reach)
+            * overlap(minor, self.start_minor - self.reach, self.start_minor + self.reach)
+    }
+
+    /// First and one past the last pixel along the minor axis that may be covered.
+    #[inline]
+    pub(crate) fn minor_range(&self, major: i32) -> (i32, i32) {
+        let middle = self.start_minor + (f32_of_i32(major) + 0.5 - self.start_major) * self.slope;
+        (to_i32(middle - self.minor_reach), to_i32(middle + self.minor_reach) + 1)
+    }
+
+    /// What makes the sum of the weights the area of the disc at rest, or with `swept` the area
+    /// that it sweeps.
+    fn gain_of(
+        &self,
+        radius_px: f32,
+        first: i32,
+        last: i32,
+        cells: u32,
+        moves: bool,
+        swept: bool,
+    ) -> f32 {
+        if !moves && !less(radius_px, LARGE_RADIUS_PX) {
+            return 1.0;
+        }
+        let length_squared =
+            self.along_major * self.along_major + self.along_minor * self.along_minor;
+        let edge = self.reach - 0.5;
+        let area = if swept {
+            PI * edge * edge + 2.0 * edge * square_root(length_squared)
+        } else {
+            PI * radius_px * radius_px
+        };
+        let mut sum =
+            2.0 * edge * square_root(length_squared) + PI * (edge * edge + 0.083_333_336);
+        if cells <= FEW_CELLS {
+            sum = 0.0;
+            for major in first..last {
+                let (low, high) = self.minor_range(major);
+                for minor in low..high {
+                    sum += self.weight_at(major, minor);
+                }
+            }
+        }
+        let gain = area * reciprocal(sum);
+        let half = 0.5 * LARGE_RADIUS_PX;
+        let share = clamp_exact((radius_px - half) * 0.5, 0.0, 1.0);
+        if moves { gain } else { gain + share * (1.0 - gain) }
+    }
+
+    /// The footprint of a disc that moves from `start` to `end`; of a square if it is to be one.
+    pub(crate) fn new(
+        view: &Frame,
+        start: Projected,
+        end: Projected,
+        radius_px: f32,
+        square: bool,
+        conserved: bool,
+    ) -> Self {
+        let dx = end.x - start.x;
+        let dy = end.y - start.y;
+        let length_squared = dx * dx + dy * dy;
+        let moves = less(0.0001, length_squared);
+        let steep = square || less(dx.abs(), dy.abs());
+        let when_moving = |x: f32| if moves { x } else { 0.0 };
+        let along_major = when_moving(if steep { dy } else { dx });
+        let along_minor = when_moving(if steep { dx } else { dy });
+        let inverse_length = inverse_square_root(length_squared);
+        let slope = along_minor * reciprocal(along_major);
+        let swept = !conserved && moves;
+        let edge =
+            if swept { max_exact(radius_px, 0.5) } else { edged_radius(radius_px) };
+        let reach = if square { radius_px } else { edge + 0.5 };
+        let mut shape = Self {
+            kind: if square { SQUARE } else { CAPSULE },
+            steep,
+            start_major: if steep { start.y } else { start.x },
+            start_minor: if steep { start.x } else { start.y },
+            along_major,
+            along_minor,
+            inverse_length_squared: when_moving(inverse_length * inverse_length),
+            reach,
+            minor_reach: reach * square_root(1.0 + slope * slope),
+            slope,
+            gain: 1.0,
+            first: 0,
+            last: 0,
+            minor_size: 0,
+        };
+        if !moves && !square && less(reach, SMALL_REACH_PX) {
+            shape.kind = SMALL_DISC;
+            return shape;
+        }
+        let end_major = shape.start_major + along_major;
+        let first = to_i32(min_exact(shape.start_major, end_major) - reach)
+            .clamp(-FARTHEST_PX, FARTHEST_PX);
+        let last = (to_i32(max_exact(shape.start_major, end_major) + reach) + 1)
+            .clamp(-FARTHEST_PX, FARTHEST_PX);
+        let (width, height) = (view.width as i32, view.height as i32);
+        let across = to_i32(2.0 * shape.minor_reach) as u32 + 2;
+        shape.first = first.max(0);
+        shape.last = last.min(if steep { height } else { width });
+        shape.minor_size = if steep { width } else { height };
+        if !square {
+            let cells = span(first, last) * across;
+            shape.gain = shape.gain_of(radius_px, first, last, cells, moves, swept);
+        }
+        shape
+    }
+}

@@ -1,0 +1,269 @@
+//! Rust and WGSL meet by name: structs, constants, bindings, kernels and stages are compared here.
+
+use std::collections::BTreeSet;
+use std::mem::offset_of;
+
+use motes::gpu::shader::sources::{KERNELS, LIBRARIES, YARDSTICKS};
+use motes::gpu::shader::{self, Access, CompileOptions, CompiledKernel};
+use motes::gpu::{STAGE_KERNELS, check_binding};
+use motes::layout::{
+    self, Counts, Dispatch, Frame, FrameStats, Particle, SystemFrame, SystemRow,
+};
+use motes::plan::{BUFFERS, BufferRole, STAGES, buffer};
+
+/// A field as Rust has it: name, offset, size.
+type RustField = (&'static str, usize, usize);
+
+/// Name, size and fields of a struct.
+macro_rules! rust_layout {
+    ($of:ident { $($field:ident),* $(,)? }) => {{
+        fn size_of_field<T, F>(_: fn(&T) -> &F) -> usize {
+            size_of::<F>()
+        }
+        // Names every field, so that one that is not listed does not compile.
+        let $of { $($field: _),* } = $of::default();
+        let fields: Vec<RustField> = vec![
+            $((stringify!($field), offset_of!($of, $field), size_of_field(|it: &$of| &it.$field))),*
+        ];
+        (stringify!($of), size_of::<$of>(), fields)
+    }};
+}
+
+fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
+    vec![
+        rust_layout!(Particle { position_and_index, velocity_and_birth }),
+        rust_layout!(SystemRow {
+            shape,
+            speed_and_lifetime,
+            size_and_threshold,
+            color_mean,
+            color_var,
+            color_rate,
+            kinds,
+        }),
+        rust_layout!(SystemFrame {
+            world_from_system_x,
+            world_from_system_y,
+            world_from_system_z,
+            acceleration,
+            mean_parts,
+            var_parts,
+            key,
+            stochastic_rounding,
+        }),
+        rust_layout!(Frame {
+            view_from_world_x,
+            view_from_world_y,
+            view_from_world_z,
+            background,
+            focal_px,
+            center_x_px,
+            center_y_px,
+            near,
+            shutter,
+            frame,
+            system_count,
+            row_mask,
+            capacity,
+            page_len,
+            page_count,
+            width,
+            height,
+            spare_a,
+            spare_b,
+            spare_c,
+        }),
+        rust_layout!(Counts { live, requested, born, dropped, total, died, spare_a, spare_b }),
+        rust_layout!(FrameStats { frame, requested, born, died, live, dropped, spare_a, spare_b }),
+        rust_layout!(Dispatch { x, y, z }),
+    ]
+}
+
+#[test]
+fn structs_agree_field_by_field() {
+    let mut names = BTreeSet::new();
+    for (name, size, fields) in rust_layouts() {
+        let shape = shader::struct_layout("lib/layout", name)
+            .expect("the file compiles")
+            .unwrap_or_else(|| panic!("lib/layout has no struct {name}"));
+        assert_eq!(shape.stride as usize, size, "{name}");
+        let in_wgsl: Vec<_> = shape
+            .fields
+            .iter()
+            .map(|field| (field.name.as_str(), field.offset as usize, field.size as usize))
+            .collect();
+        assert_eq!(in_wgsl, fields, "{name}");
+        names.insert(name.to_owned());
+    }
+    let in_wgsl = shader::struct_names("lib/layout").expect("the file compiles");
+    assert_eq!(in_wgsl.into_iter().collect::<BTreeSet<_>>(), names);
+}
+
+/// Words are words and floats are floats: sizes alone would not tell.
+#[test]
+fn scalar_fields_agree_in_kind() {
+    let mut frame = Frame::default();
+    (frame.focal_px, frame.center_x_px, frame.center_y_px) = (1.0, 1.0, 1.0);
+    (frame.near, frame.shutter) = (1.0, 1.0);
+    let system =
+        SystemFrame { mean_parts: 1.0, var_parts: 1.0, ..SystemFrame::default() };
+    let floats = |bytes: &[u8], name: &str| {
+        let words: Vec<u32> = bytemuck::pod_collect_to_vec(bytes);
+        let shape = shader::struct_layout("lib/layout", name).expect("it compiles").expect(name);
+        for field in shape.fields.iter().filter(|field| field.size == 4) {
+            let is_one = words[field.offset as usize / 4] == 1.0f32.to_bits();
+            assert_eq!(field.type_name == "f32", is_one, "{name}.{}", field.name);
+        }
+    };
+    floats(bytemuck::bytes_of(&frame), "Frame");
+    floats(bytemuck::bytes_of(&system), "SystemFrame");
+}
+
+/// Every named constant of the sources' files, and its twin in Rust. The size of a workgroup and
+/// the switches stand for what is given when a kernel is compiled.
+#[test]
+fn constants_agree_bit_for_bit() {
+    let shared: Vec<(&str, u32)> = [
+        motes::exact::CONSTANTS,
+        motes::transcendental::CONSTANTS,
+        motes::rng::CONSTANTS,
+        motes::cpu::light::CONSTANTS,
+        motes::cpu::particle::CONSTANTS,
+        motes::cpu::systems::births::CONSTANTS,
+        motes::cpu::footprint::CONSTANTS,
+    ]
+    .concat()
+    .into_iter()
+    .chain([
+        ("SHAPE_SPHERE", layout::SHAPE_SPHERE),
+        ("SHAPE_CIRCLE", layout::SHAPE_CIRCLE),
+        ("SHAPE_RECTANGLE", layout::SHAPE_RECTANGLE),
+        ("PARTICLE_RECTANGLE", layout::PARTICLE_RECTANGLE),
+        ("PARTICLE_STREAK", layout::PARTICLE_STREAK),
+        ("STREAK_CONSTANT", layout::STREAK_CONSTANT),
+        ("DISPATCH_WIDTH", motes::gpu::dispatch::DISPATCH_WIDTH),
+        ("STATISTICS_LEN", buffer_len("statistics")),
+    ])
+    .collect();
+    let given = ["WORKGROUP_SIZE", "THRESHOLDS", "STREAKS", "RECTANGLES"];
+    let mut seen = BTreeSet::new();
+    for source in LIBRARIES.iter().chain(KERNELS) {
+        for constant in shader::constants(source.name).expect("the file compiles") {
+            if given.contains(&constant.name.as_str()) {
+                continue;
+            }
+            let twins: Vec<_> = shared.iter().filter(|(name, _)| *name == constant.name).collect();
+            let [(_, bits)] = twins[..] else {
+                panic!("{}: `{}` has {} twins in Rust", source.file, constant.name, twins.len())
+            };
+            assert_eq!(
+                constant.bits, *bits,
+                "{}: `{}` is {:#010x}, and {bits:#010x} in Rust",
+                source.file, constant.name, constant.bits
+            );
+            seen.insert(constant.name);
+        }
+    }
+    let unseen: Vec<_> = shared.iter().filter(|(name, _)| !seen.contains(*name)).collect();
+    assert!(unseen.is_empty(), "constants that no WGSL file declares: {unseen:?}");
+}
+
+fn buffer_len(name: &str) -> u32 {
+    match buffer(name).map(|declared| declared.count) {
+        Some(motes::plan::Count::Fixed(count)) => count,
+        other => panic!("`{name}` is {other:?}"),
+    }
+}
+
+fn compiled(kernel: &str) -> CompiledKernel {
+    match shader::compile(kernel, &CompileOptions::default()) {
+        Ok(kernel) => kernel,
+        Err(e) => panic!("{e}"),
+    }
+}
+
+#[test]
+fn every_binding_is_a_declared_buffer() {
+    let mut bound = BTreeSet::new();
+    for source in KERNELS {
+        for binding in compiled(source.name).bindings {
+            if let Err(e) = check_binding(&binding) {
+                panic!("{e}");
+            }
+            let is_input = buffer(&binding.name).is_some_and(|it| it.role == BufferRole::Input);
+            assert!(
+                !is_input || binding.access != Access::ReadWrite,
+                "{}: `{}` is written, and it is the processor's",
+                source.file,
+                binding.name
+            );
+            bound.insert(binding.name);
+        }
+    }
+    let idle: Vec<_> = BUFFERS.iter().filter(|it| !bound.contains(it.name)).collect();
+    assert!(idle.is_empty(), "buffers that no kernel binds: {idle:?}");
+}
+
+/// A stage's kernels read and write what its line says, and scratch. `survivors` are the particles
+/// that the advance writes: the pools change places.
+#[test]
+fn kernels_keep_to_their_stage() {
+    let is_scratch = |name: &str| buffer(name).is_some_and(|it| it.role == BufferRole::Scratch);
+    for info in STAGES {
+        let mut written = BTreeSet::new();
+        let mut read = BTreeSet::new();
+        for one in STAGE_KERNELS.iter().filter(|one| one.stage == info.stage) {
+            for binding in compiled(one.kernel).bindings {
+                let name = match binding.name.as_str() {
+                    "survivors" => "particles".to_owned(),
+                    _ => binding.name,
+                };
+                if binding.access == Access::ReadWrite {
+                    written.insert(name);
+                } else {
+                    read.insert(name);
+                }
+            }
+        }
+        for name in &written {
+            let is_said = info.writes.contains(&name.as_str());
+            assert!(is_said || is_scratch(name), "{} writes `{name}`", info.name);
+        }
+        for name in &read {
+            // What a stage writes itself, it may read.
+            let is_said = [info.reads, info.writes].concat().contains(&name.as_str());
+            assert!(is_said || is_scratch(name), "{} reads `{name}`", info.name);
+        }
+        for name in info.writes {
+            assert!(written.contains(*name), "{} does not write `{name}`", info.name);
+        }
+        for name in info.reads {
+            let is_used = read.contains(*name) || written.contains(*name);
+            assert!(is_used, "{} does not read `{name}`", info.name);
+        }
+    }
+}
+
+#[test]
+fn no_kernel_is_an_orphan_and_stages_stand_in_order() {
+    let listed: BTreeSet<_> = KERNELS.iter().chain(YARDSTICKS).map(|source| source.name).collect();
+    let mut used: BTreeSet<_> = STAGE_KERNELS.iter().map(|one| one.kernel).collect();
+    // Those that no stage has: what tells whether two runs are the same, and the yardstick.
+    used.extend(WITHOUT_A_STAGE);
+    assert_eq!(listed, used);
+    let mut order: Vec<_> = STAGE_KERNELS.iter().map(|one| one.stage).collect();
+    order.dedup();
+    assert_eq!(order, STAGES.iter().map(|info| info.stage).collect::<Vec<_>>());
+    for info in STAGES {
+        let kernels = STAGE_KERNELS.iter().filter(|one| one.stage == info.stage);
+        let has_its_name = |kernel: &str| kernel.rsplit('/').next() == Some(info.name);
+        assert!(
+            kernels.into_iter().any(|one| has_its_name(one.kernel)),
+            "no kernel of {} has its name",
+            info.name
+        );
+    }
+}
+
+/// Kernels that are dispatched by name and not by stage.
+const WITHOUT_A_STAGE: [&str; 2] = ["digest/digest", "bench/copy"];

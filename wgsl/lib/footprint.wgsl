@@ -1,0 +1,240 @@
+// The pixels that a particle covers, and how much of each, antialiased.
+//
+// Reeves 1983, 2.5 and 3. A sphere is a disc of radius size focal / depth; a streak is that disc
+// swept from its place at the frame's start to its place when the shutter closes; a rectangle is a
+// square that faces the viewer.
+// A disc or streak covers a pixel by the distance of the pixel's centre from the segment, with an
+// edge one pixel wide; a gain then makes the sum of the weights the disc's area (its total light),
+// wherever it stands between pixels and however long the streak is. Few pixels are summed one by
+// one; of many, the sum is that of the integral. Twin of src/cpu/footprint.rs.
+#define_import_path motes::footprint
+
+#import motes::exact::{
+    clamp_exact, f32_of_i32, inverse_square_root, less, max_exact, min_exact, reciprocal,
+    square_root, to_i32,
+}
+#import motes::layout::{Frame, SystemFrame}
+
+const PI: f32 = 3.14159265f;
+// Radii are at most this many pixels: four times the largest picture.
+const MOST_RADIUS_PX: f32 = 16384.0f;
+// Footprints of at most this many pixels are summed one by one, and drawn by one invocation:
+// drivers end an invocation's loops when they have turned 65,535 times in all.
+const FEW_CELLS: u32 = 2048u;
+// A disc of at least this radius needs no gain; below half of it, all of it.
+const LARGE_RADIUS_PX: f32 = 4.0f;
+// A disc at rest that reaches no further than this covers at most the nine pixels around its
+// centre's.
+const SMALL_REACH_PX: f32 = 1.5f;
+// Pixel coordinates are kept within these, and ranges of them below 2^15.
+const FARTHEST_PX: i32 = 16777216;
+const LONGEST_PX: i32 = 32768;
+
+// Invocations that share a footprint of many pixels: rows enough for the largest picture.
+const SHARES: u32 = 256u;
+
+// Kinds of footprint.
+const SMALL_DISC: u32 = 0u;
+const CAPSULE: u32 = 1u;
+const SQUARE: u32 = 2u;
+
+// A point in pixels, its depth along the view axis, and the pixels that a world unit spans there.
+struct Projected {
+    x: f32,
+    y: f32,
+    depth: f32,
+    scale: f32,
+}
+
+// A disc swept along a segment, or a square; `major` is the axis on which the segment is longer.
+struct Footprint {
+    kind: u32,
+    // Whether the major axis is y.
+    steep: bool,
+    start_major: f32,
+    start_minor: f32,
+    along_major: f32,
+    along_minor: f32,
+    // 1 / length squared; 0 at rest.
+    inverse_length_squared: f32,
+    // Reach of the outermost covered pixel centre, across the segment and along the minor axis.
+    reach: f32,
+    minor_reach: f32,
+    slope: f32,
+    gain: f32,
+    // First and one past the last row of pixels across the major axis, within the picture.
+    first: i32,
+    last: i32,
+    // Pixels of the picture along the minor axis.
+    minor_size: i32,
+    // Pixels that rows can have in all.
+    cells: u32,
+}
+
+fn transform(x_row: vec4<f32>, y_row: vec4<f32>, z_row: vec4<f32>, p: vec3<f32>) -> vec3<f32> {
+    return vec3<f32>(
+        x_row.x * p.x + x_row.y * p.y + x_row.z * p.z + x_row.w,
+        y_row.x * p.x + y_row.y * p.y + y_row.z * p.z + y_row.w,
+        z_row.x * p.x + z_row.y * p.y + z_row.z * p.z + z_row.w,
+    );
+}
+
+fn project(view: Frame, system: SystemFrame, in_system: vec3<f32>) -> Projected {
+    let world = transform(
+        system.world_from_system_x,
+        system.world_from_system_y,
+        system.world_from_system_z,
+        in_system,
+    );
+    let seen = transform(
+        view.view_from_world_x, view.view_from_world_y, view.view_from_world_z, world,
+    );
+    let scale = view.focal_px * reciprocal(max_exact(seen.z, view.near));
+    return Projected(
+        view.center_x_px + seen.x * scale,
+        view.center_y_px - seen.y * scale,
+        seen.z,
+        scale,
+    );
+}
+
+// Whether any of it may fall into the picture.
+fn is_visible(view: Frame, start: Projected, end: Projected, radius_px: f32) -> bool {
+    let reach = radius_px + 2.0f;
+    let width = f32_of_i32(i32(view.width));
+    let height = f32_of_i32(i32(view.height));
+    return !(less(start.depth, view.near)
+        || less(end.depth, view.near)
+        || less(max_exact(start.x, end.x) + reach, 0.0f)
+        || less(max_exact(start.y, end.y) + reach, 0.0f)
+        || less(width, min_exact(start.x, end.x) - reach)
+        || less(height, min_exact(start.y, end.y) - reach));
+}
+
+// The radius whose edge, one pixel wide, gives the area of a disc of `radius_px`: such an edge adds
+// 1/12 to the square of the radius. At least half a pixel.
+fn edged_radius(radius_px: f32) -> f32 {
+    return max_exact(square_root(max_exact(radius_px * radius_px - 0.0833333333f, 0.0f)), 0.5f);
+}
+
+// How much of the unit interval from `pixel` lies within [low, high].
+fn overlap(pixel: i32, low: f32, high: f32) -> f32 {
+    let left = f32_of_i32(pixel);
+    return clamp_exact(min_exact(left + 1.0f, high) - max_exact(left, low), 0.0f, 1.0f);
+}
+
+// How much of a pixel the disc or streak covers, 0 to 1.
+fn weight_at(shape: Footprint, major: i32, minor: i32) -> f32 {
+    let dx = f32_of_i32(major) + 0.5f - shape.start_major;
+    let dy = f32_of_i32(minor) + 0.5f - shape.start_minor;
+    let along = (dx * shape.along_major + dy * shape.along_minor) * shape.inverse_length_squared;
+    let t = clamp_exact(along, 0.0f, 1.0f);
+    let ex = dx - t * shape.along_major;
+    let ey = dy - t * shape.along_minor;
+    let distance = square_root(ex * ex + ey * ey);
+    return clamp_exact(shape.reach - distance, 0.0f, 1.0f);
+}
+
+// How much of a pixel the square covers, 0 to 1.
+fn square_weight_at(shape: Footprint, major: i32, minor: i32) -> f32 {
+    return overlap(major, shape.start_major - shape.reach, shape.start_major + shape.reach)
+        * overlap(minor, shape.start_minor - shape.reach, shape.start_minor + shape.reach);
+}
+
+// First and one past the last pixel along the minor axis that may be covered.
+fn minor_range(shape: Footprint, major: i32) -> vec2<i32> {
+    let middle = shape.start_minor
+        + (f32_of_i32(major) + 0.5f - shape.start_major) * shape.slope;
+    return vec2<i32>(
+        to_i32(middle - shape.minor_reach),
+        to_i32(middle + shape.minor_reach) + 1,
+    );
+}
+
+fn span(first: i32, last: i32) -> u32 {
+    return u32(clamp(last - first, 0, LONGEST_PX));
+}
+
+// What makes the sum of the weights the area of the disc at rest, or with `swept` the area that it
+// sweeps.
+fn gain_of(
+    shape: Footprint, radius_px: f32, first: i32, last: i32, cells: u32, moves: bool, swept: bool,
+) -> f32 {
+    if !moves && !less(radius_px, LARGE_RADIUS_PX) {
+        return 1.0f;
+    }
+    let length_squared = shape.along_major * shape.along_major
+        + shape.along_minor * shape.along_minor;
+    let edge = shape.reach - 0.5f;
+    let area = select(
+        PI * radius_px * radius_px,
+        PI * edge * edge + 2.0f * edge * square_root(length_squared),
+        swept,
+    );
+    var sum = 2.0f * edge * square_root(length_squared)
+        + PI * (edge * edge + 0.0833333333f);
+    if cells <= FEW_CELLS {
+        sum = 0.0f;
+        for (var major = first; major < last; major += 1) {
+            let range = minor_range(shape, major);
+            for (var minor = range.x; minor < range.y; minor += 1) {
+                sum += weight_at(shape, major, minor);
+            }
+        }
+    }
+    let gain = area * reciprocal(sum);
+    let half = 0.5f * LARGE_RADIUS_PX;
+    let share = clamp_exact((radius_px - half) * 0.5f, 0.0f, 1.0f);
+    return select(gain + share * (1.0f - gain), gain, moves);
+}
+
+// The footprint of a disc that moves from `start` to `end`; of a square if it is to be one.
+fn footprint_of(
+    view: Frame, start: Projected, end: Projected, radius_px: f32, square: bool, conserved: bool,
+) -> Footprint {
+    var shape: Footprint;
+    let dx = end.x - start.x;
+    let dy = end.y - start.y;
+    let length_squared = dx * dx + dy * dy;
+    let moves = less(0.0001f, length_squared);
+    let steep = square || less(abs(dx), abs(dy));
+    shape.steep = steep;
+    shape.start_major = select(start.x, start.y, steep);
+    shape.start_minor = select(start.y, start.x, steep);
+    shape.along_major = select(0.0f, select(dx, dy, steep), moves);
+    shape.along_minor = select(0.0f, select(dy, dx, steep), moves);
+    let inverse_length = inverse_square_root(length_squared);
+    shape.inverse_length_squared = select(0.0f, inverse_length * inverse_length, moves);
+    shape.slope = shape.along_minor * reciprocal(shape.along_major);
+    // A streak whose light is not conserved is a line of its own width, or a pixel's.
+    let swept = !conserved && moves;
+    let edge = select(edged_radius(radius_px), max_exact(radius_px, 0.5f), swept);
+    shape.reach = select(edge + 0.5f, radius_px, square);
+    shape.minor_reach = shape.reach * square_root(1.0f + shape.slope * shape.slope);
+    shape.gain = 1.0f;
+    if !moves && !square && less(shape.reach, SMALL_REACH_PX) {
+        shape.kind = SMALL_DISC;
+        return shape;
+    }
+    shape.kind = select(CAPSULE, SQUARE, square);
+
+    let end_major = shape.start_major + shape.along_major;
+    let first = clamp(
+        to_i32(min_exact(shape.start_major, end_major) - shape.reach), -FARTHEST_PX, FARTHEST_PX,
+    );
+    let last = clamp(
+        to_i32(max_exact(shape.start_major, end_major) + shape.reach) + 1, -FARTHEST_PX, FARTHEST_PX,
+    );
+    let width = i32(view.width);
+    let height = i32(view.height);
+    let across = u32(to_i32(2.0f * shape.minor_reach)) + 2u;
+    shape.first = max(first, 0);
+    shape.last = min(last, select(width, height, steep));
+    shape.minor_size = select(height, width, steep);
+    shape.cells = span(shape.first, shape.last) * min(across, u32(shape.minor_size));
+    if !square {
+        let cells = span(first, last) * across;
+        shape.gain = gain_of(shape, radius_px, first, last, cells, moves, swept);
+    }
+    return shape;
+}
