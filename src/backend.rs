@@ -59,6 +59,23 @@ pub(crate) fn available_bytes() -> Option<u64> {
     Some(kib * 1024)
 }
 
+/// `len` zeros, or an error where there is no room for them: running out of memory later would end
+/// the process without a word.
+pub(crate) fn try_zeroed<T: bytemuck::Zeroable + Clone>(
+    len: usize,
+    what: &str,
+) -> Result<Vec<T>, BackendError> {
+    let bytes = (len * size_of::<T>()) as u64;
+    let failed = || BackendError::OutOfMemory(format!("{what} take {} MiB", bytes >> 20));
+    if available_bytes().is_some_and(|available| bytes > available) {
+        return Err(failed());
+    }
+    let mut zeros = Vec::new();
+    zeros.try_reserve_exact(len).map_err(|_| failed())?;
+    zeros.resize(len, T::zeroed());
+    Ok(zeros)
+}
+
 /// A plan under way on some processor. Pools start empty.
 pub trait Backend {
     /// Name of the adapter, for people.

@@ -48,7 +48,8 @@ impl Particle {
 }
 
 /// The parameters of one system at one birth frame; they rule its particles for life, so that
-/// turning a knob never changes what is already born.
+/// turning one of these knobs never changes what is already born. What acts on the living, place
+/// and acceleration, is in [`SystemFrame`].
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct SystemRow {

@@ -6,17 +6,29 @@
 
 use std::fmt::Write;
 
-use crate::plan::Turn;
-use crate::scene::{self, SceneError};
+use crate::plan::{self, Turn};
+use crate::scene;
 
 /// One change: from `frame` on, `set` holds, as `--set` has it: `path.to.key=value`.
-#[derive(Clone, Debug, PartialEq, Eq)]
+///
+/// Changes are equal that say the same, whatever lines they stand on.
+#[derive(Clone, Debug)]
 pub struct Change {
     /// First frame that it holds for.
     pub frame: u32,
     /// `path.to.key=value`.
     pub set: String,
+    /// Line of the text that it was read from, from 1; 0 if it was not read.
+    pub line: usize,
 }
+
+impl PartialEq for Change {
+    fn eq(&self, other: &Self) -> bool {
+        (self.frame, &self.set) == (other.frame, &other.set)
+    }
+}
+
+impl Eq for Change {}
 
 /// Changes in the order of their frames.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -57,6 +69,23 @@ impl std::fmt::Display for RecordingError {
 
 impl std::error::Error for RecordingError {}
 
+/// A change that its scene refuses, and what the scene says to it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RefusedChange {
+    /// The change; its line is that of the recording's text.
+    pub change: Change,
+    /// A few lines, as of an error of the scene or its plan.
+    pub message: String,
+}
+
+impl std::fmt::Display for RefusedChange {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for RefusedChange {}
+
 impl Recording {
     /// Reads lines of `FRAME path.to.key=value`; empty lines and lines that begin with `#` say
     /// nothing. `file` is for messages.
@@ -64,14 +93,19 @@ impl Recording {
     /// # Errors
     /// A line of another form, or frames out of order; with file and line.
     pub fn parse(text: &str, file: &str) -> Result<Self, RecordingError> {
+        Self::parse_from(1, text, file)
+    }
+
+    /// As [`Recording::parse`], of a part of the file that begins at line `first_line`.
+    fn parse_from(first_line: usize, text: &str, file: &str) -> Result<Self, RecordingError> {
         let mut changes: Vec<Change> = Vec::new();
-        for (at, line) in text.lines().enumerate() {
+        for (number, line) in (first_line..).zip(text.lines()) {
             let line = line.trim();
             if line.is_empty() || line.starts_with('#') {
                 continue;
             }
             let wrong = |what: &str| RecordingError {
-                message: format!("{file}:{}: {what}: `{line}`", at + 1),
+                message: format!("{file}:{number}: {what}: `{line}`"),
             };
             let (frame, set) = line
                 .split_once(char::is_whitespace)
@@ -86,6 +120,7 @@ impl Recording {
             changes.push(Change {
                 frame,
                 set: set.trim().to_owned(),
+                line: number,
             });
         }
         Ok(Self { changes })
@@ -103,16 +138,30 @@ impl Recording {
     /// The scene from each change on, on top of `sets`.
     ///
     /// # Errors
-    /// A change that the scene refuses.
-    pub fn turns(&self, scene: &str, sets: &[String]) -> Result<Vec<Turn>, SceneError> {
+    /// The first change that the scene refuses, or that alters what holds for a whole run.
+    pub fn turns(&self, scene: &str, sets: &[String]) -> Result<Vec<Turn>, RefusedChange> {
         let mut sets = sets.to_vec();
         let mut turns: Vec<Turn> = Vec::new();
+        let mut begun_with = None;
         for change in &self.changes {
+            let refused = |message| RefusedChange {
+                change: change.clone(),
+                message,
+            };
+            let load = |sets: &[String]| {
+                scene::load_with(scene, sets).map_err(|error| refused(error.to_string()))
+            };
+            let base = match begun_with.take() {
+                Some(base) => base,
+                None => load(&sets)?,
+            };
             sets.push(change.set.clone());
             let turn = Turn {
                 frame: change.frame,
-                scene: scene::load_with(scene, &sets)?,
+                scene: load(&sets)?,
             };
+            plan::check_turn(&base, &turn).map_err(|error| refused(error.to_string()))?;
+            begun_with = Some(base);
             match turns.last_mut() {
                 Some(last) if last.frame == turn.frame => *last = turn,
                 _ => turns.push(turn),
@@ -123,7 +172,8 @@ impl Recording {
 }
 
 impl Checkpoint {
-    /// A few lines of text: scene, seed and frame as comments' neighbours, then the changes.
+    /// The lines `scene NAME`, `seed N` and `frame N`, then a line a change, as
+    /// [`Recording::to_text`] has them.
     pub fn to_text(&self) -> String {
         format!(
             "scene {}\nseed {}\nframe {}\n{}",
@@ -157,7 +207,7 @@ impl Checkpoint {
             seed: seed.parse().map_err(|_| number(2, &seed))?,
             frame: frame.parse().map_err(|_| number(3, &frame))?,
             scene,
-            recording: Recording::parse(lines.next().unwrap_or_default(), file)?,
+            recording: Recording::parse_from(4, lines.next().unwrap_or_default(), file)?,
         })
     }
 }

@@ -4,9 +4,7 @@ mod common;
 
 use common::*;
 use motes::exact::{bits_of, f32_of_u32, less, to_i32};
-use motes::gpu::shader::{
-    Access, Binding, CompileOptions, CompiledKernel, Shape, compile_source,
-};
+use motes::gpu::shader::{Access, Binding, CompileOptions, CompiledKernel, Shape, compile_source};
 use motes::gpu::{GpuDevice, KernelForm};
 
 /// Invocations of a raw kernel.
@@ -85,7 +83,10 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {{
 }}
 "
     );
-    let options = CompileOptions { workgroup_size: WORKGROUP, ..CompileOptions::default() };
+    let options = CompileOptions {
+        workgroup_size: WORKGROUP,
+        ..CompileOptions::default()
+    };
     match compile_source("test/exact", &text, &options) {
         Ok(kernel) => kernel,
         Err(e) => panic!("{e}"),
@@ -100,7 +101,13 @@ fn outputs(
     inputs: &[[u32; 4]],
 ) -> Vec<u32> {
     device
-        .run_kernel(kernel, form, &[inputs.as_flattened()], inputs.len(), inputs.len() as u32)
+        .run_kernel(
+            kernel,
+            form,
+            &[inputs.as_flattened()],
+            inputs.len(),
+            inputs.len() as u32,
+        )
         .expect("the device runs the kernel")
 }
 
@@ -113,15 +120,20 @@ fn differing(
     expected: impl Fn([u32; 4]) -> u32,
 ) -> usize {
     let got = outputs(device, kernel, form, inputs);
-    inputs.iter().zip(got).filter(|(input, got)| expected(**input) != *got).count()
+    inputs
+        .iter()
+        .zip(got)
+        .filter(|(input, got)| expected(**input) != *got)
+        .count()
 }
 
 /// Four random floats each, within 2^-`exponent` .. 2^`exponent`.
 fn random_inputs(count: u32, exponent: u32) -> Vec<[u32; 4]> {
-    let float = |word: u32| {
-        word & 0x807f_ffff | (127 - exponent + (word >> 23) % (2 * exponent)) << 23
-    };
-    (0..count).map(|at| [0, 1, 2, 3].map(|i| float(hash(4 * at + i)))).collect()
+    let float =
+        |word: u32| word & 0x807f_ffff | (127 - exponent + (word >> 23) % (2 * exponent)) << 23;
+    (0..count)
+        .map(|at| [0, 1, 2, 3].map(|i| float(hash(4 * at + i))))
+        .collect()
 }
 
 /// Asserts that raw WGSL differs from the processor on exactly those of the two software adapters
@@ -137,21 +149,23 @@ fn assert_raw_differs(
     on_each_adapter(|name, device| {
         for form in [KernelForm::Spirv, KernelForm::Wgsl] {
             let count = differing(device, &kernel, form, inputs, &expected);
-            println!("{what}, {name}, raw {form:?}: {count} of {} differ", inputs.len());
+            println!(
+                "{what}, {name}, raw {form:?}: {count} of {} differ",
+                inputs.len()
+            );
             if ["llvmpipe", "swiftshader"].contains(&name) {
-                assert_eq!(count > 0, adapters.contains(&name), "{what}, {name}, raw {form:?}");
+                assert_eq!(
+                    count > 0,
+                    adapters.contains(&name),
+                    "{what}, {name}, raw {form:?}"
+                );
             }
         }
     });
 }
 
 /// Asserts that WGSL by our rules is the same as the processor on every adapter.
-fn assert_exact(
-    what: &str,
-    inputs: &[[u32; 4]],
-    body: &str,
-    expected: impl Fn([u32; 4]) -> u32,
-) {
+fn assert_exact(what: &str, inputs: &[[u32; 4]], body: &str, expected: impl Fn([u32; 4]) -> u32) {
     let kernel = exact_kernel(body);
     on_each_adapter(|name, device| {
         let count = differing(device, &kernel, KernelForm::Spirv, inputs, &expected);
@@ -172,21 +186,27 @@ const X: &str = "let x = bitcast<f32>(a); let y = bitcast<f32>(b); let z = bitca
 #[test]
 fn denormals_are_flushed_by_one_adapter_and_kept_by_the_other() {
     let tiny = |at: u32| 2f32.powi(-70) * (1.0 + (hash(at) >> 8) as f32 * 2f32.powi(-24));
-    let inputs: Vec<_> =
-        (0..4096).map(|at| [tiny(at).to_bits(), 2f32.powi(-65).to_bits(), 0, 0]).collect();
+    let inputs: Vec<_> = (0..4096)
+        .map(|at| [tiny(at).to_bits(), 2f32.powi(-65).to_bits(), 0, 0])
+        .collect();
     let product = |v| x_of(v) * y_of(v);
     let body = format!("{X} return bitcast<u32>(x * y);");
-    assert_raw_differs("product", &["swiftshader"], &inputs, &body, |v| product(v).to_bits());
+    assert_raw_differs("product", &["swiftshader"], &inputs, &body, |v| {
+        product(v).to_bits()
+    });
     let body = format!("{X} return bits_of(x * y);");
     assert_exact("product", &inputs, &body, |v| bits_of(product(v)));
 
-    let denormals: Vec<_> =
-        (0..4096).map(|at| [hash(2 * at) >> 10, hash(2 * at + 1) >> 10, 0, 0]).collect();
+    let denormals: Vec<_> = (0..4096)
+        .map(|at| [hash(2 * at) >> 10, hash(2 * at + 1) >> 10, 0, 0])
+        .collect();
     let body = format!("{X} return select(0u, 1u, x < y);");
     let expected = |v| u32::from(x_of(v) < y_of(v));
     assert_raw_differs("comparison", &["swiftshader"], &denormals, &body, expected);
     let body = format!("{X} return select(0u, 1u, less(x, y));");
-    assert_exact("comparison", &denormals, &body, |v| u32::from(less(x_of(v), y_of(v))));
+    assert_exact("comparison", &denormals, &body, |v| {
+        u32::from(less(x_of(v), y_of(v)))
+    });
 
     let below: Vec<_> = (1..65).map(|at: u32| [at | 0x8000_0000, 0, 0, 0]).collect();
     let body = format!("{X} return bitcast<u32>(floor(x));");
@@ -199,12 +219,20 @@ fn denormals_are_flushed_by_one_adapter_and_kept_by_the_other() {
 #[test]
 fn the_sign_of_zero_is_folded_away() {
     let both = ["llvmpipe", "swiftshader"];
-    let zeros: Vec<_> = [0.0f32, -0.0, 3.0, -3.0].map(|x| [x.to_bits(), 0, 0, 0]).to_vec();
-    let cases: [(&str, fn(f32) -> f32); 3] =
-        [("x + 0.0f", |x| x + 0.0), ("x * 0.0f", |x| x * 0.0), ("0.0f - x", |x| 0.0 - x)];
+    let zeros: Vec<_> = [0.0f32, -0.0, 3.0, -3.0]
+        .map(|x| [x.to_bits(), 0, 0, 0])
+        .to_vec();
+    type Twin = fn(f32) -> f32;
+    let cases: [(&str, Twin); 3] = [
+        ("x + 0.0f", |x| x + 0.0),
+        ("x * 0.0f", |x| x * 0.0),
+        ("0.0f - x", |x| 0.0 - x),
+    ];
     for (expression, twin) in cases {
         let body = format!("{X} return bitcast<u32>({expression});");
-        assert_raw_differs(expression, &both, &zeros, &body, |v| twin(x_of(v)).to_bits());
+        assert_raw_differs(expression, &both, &zeros, &body, |v| {
+            twin(x_of(v)).to_bits()
+        });
         let body = format!("{X} return bits_of({expression});");
         assert_exact(expression, &zeros, &body, |v| bits_of(twin(x_of(v))));
     }
@@ -223,7 +251,15 @@ fn integers_above_2_to_the_24_become_other_floats() {
 #[test]
 fn floats_out_of_range_become_other_integers() {
     let both = ["llvmpipe", "swiftshader"];
-    let far = [3e9f32, -3e9, 2f32.powi(31), f32::MAX, f32::INFINITY, f32::NEG_INFINITY, f32::NAN];
+    let far = [
+        3e9f32,
+        -3e9,
+        2f32.powi(31),
+        f32::MAX,
+        f32::INFINITY,
+        f32::NEG_INFINITY,
+        f32::NAN,
+    ];
     let inputs = far.map(|x| [x.to_bits(), 0, 0, 0]);
     let body = format!("{X} return bitcast<u32>(i32(x));");
     let expected = |v| (x_of(v) as i32).cast_unsigned();
@@ -231,7 +267,9 @@ fn floats_out_of_range_become_other_integers() {
     let body = format!("{X} return u32(x);");
     assert_raw_differs("f32 to u32", &both, &inputs, &body, |v| x_of(v) as u32);
     let body = format!("{X} return bitcast<u32>(to_i32(x));");
-    assert_exact("f32 to i32", &inputs, &body, |v| to_i32(x_of(v)).cast_unsigned());
+    assert_exact("f32 to i32", &inputs, &body, |v| {
+        to_i32(x_of(v)).cast_unsigned()
+    });
 }
 
 /// Neither of these Mesa and SwiftShader fuses x y + z to one rounding; both of them reassociate,
@@ -263,7 +301,11 @@ fn arithmetic_is_reassociated_unless_decorated() {
         on_each_adapter(|name, device| {
             let plain = differing(device, &kernel, KernelForm::Wgsl, &inputs, expected);
             if both.contains(&name) {
-                assert_eq!(plain > 0, differ.contains(&name), "{expression}, {name}: {plain}");
+                assert_eq!(
+                    plain > 0,
+                    differ.contains(&name),
+                    "{expression}, {name}: {plain}"
+                );
             }
         });
     }
@@ -278,9 +320,8 @@ fn llvmpipe_gives_up_loops_after_65_535_rounds() {
             for (var j = 0u; j < b; j += 1u) { n += 1u; } } return n;",
     );
     on_each_adapter(|name, device| {
-        let rounds = |a: u32, b: u32| {
-            outputs(device, &kernel, KernelForm::Spirv, &[[a, b, 0, 0]])[0]
-        };
+        let rounds =
+            |a: u32, b: u32| outputs(device, &kernel, KernelForm::Spirv, &[[a, b, 0, 0]])[0];
         for (a, b) in [(1, 60_000), (200, 300), (1, 70_000), (300, 300)] {
             let is_cut = name == "llvmpipe" && a * b > 65_535;
             println!("{name}: {a} x {b}: {} of {} rounds", rounds(a, b), a * b);

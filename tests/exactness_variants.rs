@@ -140,7 +140,7 @@ fn threads_change_nothing() {
         );
     }
     // Chunks of particles go to threads: more than one of them.
-    let crowd = common::crowd();
+    let crowd = crowd();
     let plan = Plan::new(&crowd, crowd.frames).expect("the scene can be planned");
     let of = |threads| run(&plan, crowd.frames, cpu(&plan, Some(threads)));
     assert_eq!(of(1), of(2));
@@ -229,4 +229,27 @@ fn every_built_in_scene_passes_check_on_every_adapter() {
             );
         }
     });
+}
+
+/// More particles than a thread takes at a time, born and dying in every frame.
+fn crowd() -> Scene {
+    common::scene_of(
+        r#"
+frames = 6
+[image]
+width = 64
+height = 36
+[camera]
+position = [0, 0, 5]
+target = [0, 0, 0]
+[[system]]
+name = "crowd"
+initial_mean_parts = 9000
+generation_shape = { kind = "sphere", radius = 1 }
+speed = { mean = 0.1, var = 0.05 }
+lifetime = { mean = 2, var = 1 }
+color = [0.01, 0.02, 0.03]
+size = 0.01
+"#,
+    )
 }

@@ -6,9 +6,7 @@ use std::mem::offset_of;
 use motes::gpu::shader::sources::{KERNELS, LIBRARIES, YARDSTICKS};
 use motes::gpu::shader::{self, Access, CompileOptions, CompiledKernel};
 use motes::gpu::{STAGE_KERNELS, check_binding};
-use motes::layout::{
-    self, Counts, Dispatch, Frame, FrameStats, Particle, SystemFrame, SystemRow,
-};
+use motes::layout::{self, Counts, Dispatch, Frame, FrameStats, Particle, SystemFrame, SystemRow};
 use motes::plan::{BUFFERS, BufferRole, STAGES, buffer};
 
 /// A field as Rust has it: name, offset, size.
@@ -31,7 +29,10 @@ macro_rules! rust_layout {
 
 fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
     vec![
-        rust_layout!(Particle { position_and_index, velocity_and_birth }),
+        rust_layout!(Particle {
+            position_and_index,
+            velocity_and_birth
+        }),
         rust_layout!(SystemRow {
             shape,
             speed_and_lifetime,
@@ -73,8 +74,26 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             spare_b,
             spare_c,
         }),
-        rust_layout!(Counts { live, requested, born, dropped, total, died, spare_a, spare_b }),
-        rust_layout!(FrameStats { frame, requested, born, died, live, dropped, spare_a, spare_b }),
+        rust_layout!(Counts {
+            live,
+            requested,
+            born,
+            dropped,
+            total,
+            died,
+            spare_a,
+            spare_b
+        }),
+        rust_layout!(FrameStats {
+            frame,
+            requested,
+            born,
+            died,
+            live,
+            dropped,
+            spare_a,
+            spare_b
+        }),
         rust_layout!(Dispatch { x, y, z }),
     ]
 }
@@ -90,7 +109,13 @@ fn structs_agree_field_by_field() {
         let in_wgsl: Vec<_> = shape
             .fields
             .iter()
-            .map(|field| (field.name.as_str(), field.offset as usize, field.size as usize))
+            .map(|field| {
+                (
+                    field.name.as_str(),
+                    field.offset as usize,
+                    field.size as usize,
+                )
+            })
             .collect();
         assert_eq!(in_wgsl, fields, "{name}");
         names.insert(name.to_owned());
@@ -105,11 +130,16 @@ fn scalar_fields_agree_in_kind() {
     let mut frame = Frame::default();
     (frame.focal_px, frame.center_x_px, frame.center_y_px) = (1.0, 1.0, 1.0);
     (frame.near, frame.shutter) = (1.0, 1.0);
-    let system =
-        SystemFrame { mean_parts: 1.0, var_parts: 1.0, ..SystemFrame::default() };
+    let system = SystemFrame {
+        mean_parts: 1.0,
+        var_parts: 1.0,
+        ..SystemFrame::default()
+    };
     let floats = |bytes: &[u8], name: &str| {
         let words: Vec<u32> = bytemuck::pod_collect_to_vec(bytes);
-        let shape = shader::struct_layout("lib/layout", name).expect("it compiles").expect(name);
+        let shape = shader::struct_layout("lib/layout", name)
+            .expect("it compiles")
+            .expect(name);
         for field in shape.fields.iter().filter(|field| field.size == 4) {
             let is_one = words[field.offset as usize / 4] == 1.0f32.to_bits();
             assert_eq!(field.type_name == "f32", is_one, "{name}.{}", field.name);
@@ -152,9 +182,17 @@ fn constants_agree_bit_for_bit() {
             if given.contains(&constant.name.as_str()) {
                 continue;
             }
-            let twins: Vec<_> = shared.iter().filter(|(name, _)| *name == constant.name).collect();
+            let twins: Vec<_> = shared
+                .iter()
+                .filter(|(name, _)| *name == constant.name)
+                .collect();
             let [(_, bits)] = twins[..] else {
-                panic!("{}: `{}` has {} twins in Rust", source.file, constant.name, twins.len())
+                panic!(
+                    "{}: `{}` has {} twins in Rust",
+                    source.file,
+                    constant.name,
+                    twins.len()
+                )
             };
             assert_eq!(
                 constant.bits, *bits,
@@ -164,8 +202,14 @@ fn constants_agree_bit_for_bit() {
             seen.insert(constant.name);
         }
     }
-    let unseen: Vec<_> = shared.iter().filter(|(name, _)| !seen.contains(*name)).collect();
-    assert!(unseen.is_empty(), "constants that no WGSL file declares: {unseen:?}");
+    let unseen: Vec<_> = shared
+        .iter()
+        .filter(|(name, _)| !seen.contains(*name))
+        .collect();
+    assert!(
+        unseen.is_empty(),
+        "constants that no WGSL file declares: {unseen:?}"
+    );
 }
 
 fn buffer_len(name: &str) -> u32 {
@@ -200,7 +244,10 @@ fn every_binding_is_a_declared_buffer() {
             bound.insert(binding.name);
         }
     }
-    let idle: Vec<_> = BUFFERS.iter().filter(|it| !bound.contains(it.name)).collect();
+    let idle: Vec<_> = BUFFERS
+        .iter()
+        .filter(|it| !bound.contains(it.name))
+        .collect();
     assert!(idle.is_empty(), "buffers that no kernel binds: {idle:?}");
 }
 
@@ -235,7 +282,11 @@ fn kernels_keep_to_their_stage() {
             assert!(is_said || is_scratch(name), "{} reads `{name}`", info.name);
         }
         for name in info.writes {
-            assert!(written.contains(*name), "{} does not write `{name}`", info.name);
+            assert!(
+                written.contains(*name),
+                "{} does not write `{name}`",
+                info.name
+            );
         }
         for name in info.reads {
             let is_used = read.contains(*name) || written.contains(*name);
@@ -246,14 +297,21 @@ fn kernels_keep_to_their_stage() {
 
 #[test]
 fn no_kernel_is_an_orphan_and_stages_stand_in_order() {
-    let listed: BTreeSet<_> = KERNELS.iter().chain(YARDSTICKS).map(|source| source.name).collect();
+    let listed: BTreeSet<_> = KERNELS
+        .iter()
+        .chain(YARDSTICKS)
+        .map(|source| source.name)
+        .collect();
     let mut used: BTreeSet<_> = STAGE_KERNELS.iter().map(|one| one.kernel).collect();
     // Those that no stage has: what tells whether two runs are the same, and the yardstick.
     used.extend(WITHOUT_A_STAGE);
     assert_eq!(listed, used);
     let mut order: Vec<_> = STAGE_KERNELS.iter().map(|one| one.stage).collect();
     order.dedup();
-    assert_eq!(order, STAGES.iter().map(|info| info.stage).collect::<Vec<_>>());
+    assert_eq!(
+        order,
+        STAGES.iter().map(|info| info.stage).collect::<Vec<_>>()
+    );
     for info in STAGES {
         let kernels = STAGE_KERNELS.iter().filter(|one| one.stage == info.stage);
         let has_its_name = |kernel: &str| kernel.rsplit('/').next() == Some(info.name);

@@ -12,7 +12,10 @@ fn plain_wgsl_runs_and_says_that_it_is_not_exact() {
     let scene = common::everything();
     let plan = Plan::new(&scene, 0).expect("a good plan");
     common::on_each_adapter(|name, device| {
-        let options = GpuOptions { plain: true, ..GpuOptions::default() };
+        let options = GpuOptions {
+            plain: true,
+            ..GpuOptions::default()
+        };
         let mut plain = common::on_gpu(device, &plan, &options);
         let mut exact = common::on_gpu(device, &plan, &GpuOptions::default());
         assert!(!plain.is_exact(), "{name}");
@@ -24,9 +27,8 @@ fn plain_wgsl_runs_and_says_that_it_is_not_exact() {
                 backend.step(&inputs).expect("it steps");
                 backend.draw(&inputs).expect("it draws");
             }
-            let count = |backend: &mut dyn Backend| {
-                backend.take_statistics().expect("it counts")[0].live
-            };
+            let count =
+                |backend: &mut dyn Backend| backend.take_statistics().expect("it counts")[0].live;
             live = (count(&mut plain), count(&mut exact));
         }
         // A rounding at a threshold may kill a particle a frame sooner or later.
@@ -38,7 +40,15 @@ fn plain_wgsl_runs_and_says_that_it_is_not_exact() {
         let (got, expected) = (bytes(&mut plain), bytes(&mut exact));
         let lit = expected.iter().filter(|byte| **byte != expected[0]).count();
         assert!(lit > 1000, "{name}: a picture");
-        let apart = got.iter().zip(&expected).filter(|(a, b)| a.abs_diff(**b) > 2).count();
-        assert!(apart * 200 < got.len(), "{name}: {apart} of {} bytes apart", got.len());
+        let apart = got
+            .iter()
+            .zip(&expected)
+            .filter(|(a, b)| a.abs_diff(**b) > 2)
+            .count();
+        assert!(
+            apart * 200 < got.len(),
+            "{name}: {apart} of {} bytes apart",
+            got.len()
+        );
     });
 }

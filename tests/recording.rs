@@ -28,9 +28,18 @@ size = { mean = 0.05, var = 0.02 }
 
 fn scene_with(speed: &str, lifetime: &str, size: &str) -> Scene {
     let text = SCENE
-        .replace("speed = { mean = 0.05, var = 0.02 }", &format!("speed = {speed}"))
-        .replace("lifetime = { mean = 8, var = 3 }", &format!("lifetime = {lifetime}"))
-        .replace("size = { mean = 0.05, var = 0.02 }", &format!("size = {size}"));
+        .replace(
+            "speed = { mean = 0.05, var = 0.02 }",
+            &format!("speed = {speed}"),
+        )
+        .replace(
+            "lifetime = { mean = 8, var = 3 }",
+            &format!("lifetime = {lifetime}"),
+        )
+        .replace(
+            "size = { mean = 0.05, var = 0.02 }",
+            &format!("size = {size}"),
+        );
     scene::parse(&text, "turned.toml", "turned").expect("a good scene")
 }
 
@@ -44,7 +53,11 @@ fn turned() -> Scene {
 }
 
 fn on_cpu(turns: Vec<Turn>) -> Simulation {
-    let options = Options { adapter: AdapterChoice::Cpu, turns, ..Options::default() };
+    let options = Options {
+        adapter: AdapterChoice::Cpu,
+        turns,
+        ..Options::default()
+    };
     Simulation::new(&base(), &options).expect("the plan fits the processor")
 }
 
@@ -52,30 +65,53 @@ fn on_cpu(turns: Vec<Turn>) -> Simulation {
 fn a_turned_knob_does_not_change_what_is_already_born() {
     let turn_frame = 12;
     let mut plain = on_cpu(Vec::new());
-    let mut changed = on_cpu(vec![Turn { frame: turn_frame, scene: turned() }]);
+    let mut changed = on_cpu(vec![Turn {
+        frame: turn_frame,
+        scene: turned(),
+    }]);
     let frame = turn_frame + 4;
     plain.seek_from(0, frame).expect("it runs");
     changed.seek_from(0, frame).expect("it runs");
     let older = |particles: Vec<ParticleState>| -> Vec<ParticleState> {
-        particles.into_iter().filter(|p| p.age > frame - turn_frame).collect()
+        particles
+            .into_iter()
+            .filter(|p| p.age > frame - turn_frame)
+            .collect()
     };
-    let (plain, changed) =
-        (plain.particles().expect("it reads"), changed.particles().expect("it reads"));
-    let newborn: Vec<_> = changed.iter().filter(|p| p.age <= frame - turn_frame).collect();
+    let (plain, changed) = (
+        plain.particles().expect("it reads"),
+        changed.particles().expect("it reads"),
+    );
+    let newborn: Vec<_> = changed
+        .iter()
+        .filter(|p| p.age <= frame - turn_frame)
+        .collect();
     assert!(!newborn.is_empty());
-    assert!(newborn.iter().all(|p| p.lifetime == 3), "the turn holds from its frame on");
+    assert!(
+        newborn.iter().all(|p| p.lifetime == 3),
+        "the turn holds from its frame on"
+    );
     let speed = |p: &ParticleState| p.velocity.iter().map(|v| v * v).sum::<f32>().sqrt();
     assert!(newborn.iter().all(|p| (speed(p) - 0.3).abs() < 1e-5));
     let (plain, changed) = (older(plain), older(changed));
-    assert!(plain.len() > 20, "some were born before the turn and still live");
+    assert!(
+        plain.len() > 20,
+        "some were born before the turn and still live"
+    );
     assert_eq!(plain, changed);
 }
 
 #[test]
 fn a_recording_replays_exactly_on_every_backend_and_from_any_frame() {
     let turns = vec![
-        Turn { frame: 7, scene: turned() },
-        Turn { frame: 15, scene: scene_with("0.01", "{ mean = 9, var = 4 }", "{ mean = 0.02 }") },
+        Turn {
+            frame: 7,
+            scene: turned(),
+        },
+        Turn {
+            frame: 15,
+            scene: scene_with("0.01", "{ mean = 9, var = 4 }", "{ mean = 0.02 }"),
+        },
     ];
     let plan = Plan::with_turns(&base(), &turns, 30).expect("a good plan");
     let frames: Vec<_> = (0..26).map(|frame| plan.inputs(frame)).collect();
@@ -96,10 +132,22 @@ fn a_recording_replays_exactly_on_every_backend_and_from_any_frame() {
 fn recordings_are_read_and_written_line_by_line() {
     let text = "# faster, then slower\n\n3 system.0.speed.mean=0.2\n9  system.0.speed.mean=0.1\n";
     let recording = Recording::parse(text, "knobs.txt").expect("a good recording");
-    let lines: Vec<_> =
-        recording.changes.iter().map(|c| (c.frame, c.set.as_str())).collect();
-    assert_eq!(lines, [(3, "system.0.speed.mean=0.2"), (9, "system.0.speed.mean=0.1")]);
-    assert_eq!(Recording::parse(&recording.to_text(), "again").as_ref(), Ok(&recording));
+    let lines: Vec<_> = recording
+        .changes
+        .iter()
+        .map(|c| (c.frame, c.set.as_str()))
+        .collect();
+    assert_eq!(
+        lines,
+        [
+            (3, "system.0.speed.mean=0.2"),
+            (9, "system.0.speed.mean=0.1")
+        ]
+    );
+    assert_eq!(
+        Recording::parse(&recording.to_text(), "again").as_ref(),
+        Ok(&recording)
+    );
     for (text, place) in [
         ("3 speed", "knobs.txt:1: no `=`"),
         ("\nx a=1", "knobs.txt:2: no frame number"),

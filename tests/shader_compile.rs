@@ -175,14 +175,17 @@ fn every_kernel_compiles_at_every_size_and_is_decorated() {
     for kernel in KERNELS {
         for workgroup_size in [64, 128, 256] {
             for checked in [false, true] {
-                let options = CompileOptions {
-                    workgroup_size,
-                    checked,
-                    mutate: None,
-                };
-                match shader::compile(kernel.name, &options) {
-                    Ok(compiled) => assert_exact(kernel.name, &compiled.spirv),
-                    Err(error) => panic!("{options:?}: {error}"),
+                for off in [&[][..], &["THRESHOLDS", "STREAKS", "RECTANGLES"]] {
+                    let options = CompileOptions {
+                        workgroup_size,
+                        checked,
+                        off,
+                        mutate: None,
+                    };
+                    match shader::compile(kernel.name, &options) {
+                        Ok(compiled) => assert_exact(kernel.name, &compiled.spirv),
+                        Err(error) => panic!("{options:?}: {error}"),
+                    }
                 }
             }
         }

@@ -9,7 +9,11 @@ use motes::plan::{FrameInputs, Plan};
 
 /// Small pages, so that survivors cross from page to page.
 fn small_pages() -> GpuOptions<'static> {
-    GpuOptions { page_bytes: 64 << 10, workgroup_size: 64, ..GpuOptions::default() }
+    GpuOptions {
+        page_bytes: 64 << 10,
+        workgroup_size: 64,
+        ..GpuOptions::default()
+    }
 }
 
 /// Runs the frames on each adapter in lockstep with the processor.
@@ -74,54 +78,18 @@ fn nothing_at_all_is_the_same() {
         let mut cpu = on_cpu(&plan);
         compare_run(std::slice::from_ref(inputs), &mut on_cpu(&plan), &mut cpu).expect("itself");
         let words = motes::backend::Backend::read(&mut cpu, "counts").expect("a state buffer");
-        let [counts]: [Counts; 1] = bytemuck::pod_collect_to_vec(&words).try_into().expect("one");
+        let [counts]: [Counts; 1] = bytemuck::pod_collect_to_vec(&words)
+            .try_into()
+            .expect("one");
         counts
     };
     assert_eq!(counts(&frames[0]), Counts::default());
     assert!(counts(&frames[3]).dropped > 0 && counts(&frames[3]).live == 1);
 }
 
-/// A broad streak that crosses the picture, and a disc that fills one larger than it.
 #[test]
 fn large_shapes_are_the_same() {
-    let scene = scene_of(
-        r#"
-[image]
-width = 320
-height = 300
-[camera]
-position = [0, 0, 5]
-target = [0, 0, 0]
-[[system]]
-name = "broad-streak"
-initial_mean_parts = 2
-generation_shape = { kind = "sphere", radius = 0.3 }
-speed = { mean = 3, var = 1 }
-lifetime = 3
-color = [0.3, 0.2, 0.1]
-size = { mean = 0.6, var = 0.3 }
-particle_shape = "streak"
-[[system]]
-name = "disc"
-position = [0, 0, 3]
-initial_mean_parts = 1
-generation_shape = { kind = "sphere", radius = 0.3 }
-speed = 0.01
-lifetime = 3
-color = [0.1, 0.2, 0.3]
-size = 3
-[[system]]
-name = "square"
-position = [0.1, 0, 3]
-initial_mean_parts = 1
-generation_shape = { kind = "sphere", radius = 0.3 }
-speed = 0.01
-lifetime = 3
-color = [0.1, 0.2, 0.3]
-size = 3
-particle_shape = "rectangle"
-"#,
-    );
+    let scene = large_shapes(320, 300);
     let plan = Plan::new(&scene, 3).expect("the scene can be planned");
     assert_twins(&plan, &frames_of(&plan, 3), &small_pages());
 }

@@ -36,7 +36,8 @@ fn assert_scans(plan: &Plan, frames: &[FrameInputs], options: &GpuOptions) {
             let mut alive: Vec<bool> = Vec::new();
             let mut lists = 0;
             for one in STAGE_KERNELS.iter().filter(|one| !one.stage.info().draws) {
-                gpu.run_kernel(one.kernel, inputs).expect("the device runs every kernel");
+                gpu.run_kernel(one.kernel, inputs)
+                    .expect("the device runs every kernel");
                 match one.kernel {
                     "systems/offsets" => {
                         let counts = read::<Counts>(&mut gpu, "counts")[0];
@@ -49,9 +50,14 @@ fn assert_scans(plan: &Plan, frames: &[FrameInputs], options: &GpuOptions) {
                         present = read(&mut gpu, "particles");
                         let bits: Vec<u32> = read(&mut gpu, "alive_bits");
                         assert_eq!(bits.len(), present.len().div_ceil(32), "{place}");
-                        let all = bits.iter().flat_map(|w| (0..32).map(move |at| w >> at & 1 == 1));
+                        let all = bits
+                            .iter()
+                            .flat_map(|w| (0..32).map(move |at| w >> at & 1 == 1));
                         alive = all.collect();
-                        assert!(!alive[present.len()..].contains(&true), "{place}: a bit too many");
+                        assert!(
+                            !alive[present.len()..].contains(&true),
+                            "{place}: a bit too many"
+                        );
                         alive.truncate(present.len());
                     }
                     "scan/spread_bits" => {
@@ -79,8 +85,14 @@ fn assert_scans(plan: &Plan, frames: &[FrameInputs], options: &GpuOptions) {
             let expected: Vec<_> = present.iter().map(|one| moved(one, inputs)).collect();
             let got: Vec<Particle> = read(&mut gpu, "particles");
             assert_eq!(got.len(), expected.len(), "{place}");
-            let differs = got.iter().zip(&expected).position(|(got, expected)| got != expected);
-            assert_eq!(differs, None, "{place}: the first survivor that is not as it should be");
+            let differs = got
+                .iter()
+                .zip(&expected)
+                .position(|(got, expected)| got != expected);
+            assert_eq!(
+                differs, None,
+                "{place}: the first survivor that is not as it should be"
+            );
             let counts = read::<Counts>(&mut gpu, "counts")[0];
             assert_eq!(counts.live as usize, expected.len(), "{place}");
             assert_eq!(counts.total - counts.live, counts.died, "{place}");
@@ -90,7 +102,11 @@ fn assert_scans(plan: &Plan, frames: &[FrameInputs], options: &GpuOptions) {
 
 #[test]
 fn survivors_are_kept_in_order_across_pages() {
-    let options = GpuOptions { workgroup_size: 32, page_bytes: 64 << 10, ..GpuOptions::default() };
+    let options = GpuOptions {
+        workgroup_size: 32,
+        page_bytes: 64 << 10,
+        ..GpuOptions::default()
+    };
     let plan = everything_turning(&everything());
     assert_scans(&plan, &frames_of(&plan, 12), &options);
     let plan = everything_turning(&everything_within(2500));
@@ -102,7 +118,11 @@ fn survivors_are_kept_in_order_across_pages() {
 #[test]
 fn survivors_are_kept_in_order_on_the_edges_of_words_runs_and_pages() {
     let (plan, frames) = counted(EDGES_CAPACITY, EDGES);
-    let options = GpuOptions { workgroup_size: 32, page_bytes: 64 << 10, ..GpuOptions::default() };
+    let options = GpuOptions {
+        workgroup_size: 32,
+        page_bytes: 64 << 10,
+        ..GpuOptions::default()
+    };
     assert_scans(&plan, &frames, &options);
     let (plan, frames) = generations(GENERATIONS);
     assert_scans(&plan, &frames, &options);
@@ -112,6 +132,10 @@ fn survivors_are_kept_in_order_on_the_edges_of_words_runs_and_pages() {
 #[test]
 fn survivors_are_kept_in_order_through_all_levels_of_the_scan() {
     let (plan, frames) = counted(CROWD_CAPACITY, CROWD);
-    let options = GpuOptions { workgroup_size: 8, page_bytes: 1 << 30, ..GpuOptions::default() };
+    let options = GpuOptions {
+        workgroup_size: 8,
+        page_bytes: 1 << 30,
+        ..GpuOptions::default()
+    };
     assert_scans(&plan, &frames, &options);
 }

@@ -66,8 +66,18 @@ fn messages(more: &str) -> Vec<String> {
     let [stdout, stderr] =
         [output.stdout, output.stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
     assert!(output.status.success(), "{stdout}\n{stderr}");
-    assert!(at("frames").read_dir().expect("frames have been written").count() >= 6);
-    stdout.lines().filter(|line| line.contains("msgNum:")).map(str::to_owned).collect()
+    assert!(
+        at("frames")
+            .read_dir()
+            .expect("frames have been written")
+            .count()
+            >= 6
+    );
+    stdout
+        .lines()
+        .filter(|line| line.contains("msgNum:"))
+        .map(str::to_owned)
+        .collect()
 }
 
 #[test]
@@ -77,8 +87,10 @@ fn the_validation_layer_is_active_and_silent() {
         messages.iter().any(|message| message.contains(STATUS)),
         "the layer is not there: install vulkan-validationlayers; {messages:#?}"
     );
-    let others: Vec<_> =
-        messages.iter().filter(|message| !message.contains(STATUS)).collect();
+    let others: Vec<_> = messages
+        .iter()
+        .filter(|message| !message.contains(STATUS))
+        .collect();
     assert!(others.is_empty(), "{others:#?}");
 }
 
@@ -87,5 +99,8 @@ fn the_validation_layer_is_active_and_silent() {
 fn a_message_of_the_layer_would_be_seen() {
     let messages = messages(",VK_VALIDATION_FEATURE_ENABLE_BEST_PRACTICES_EXT");
     let is_warning = |message: &&String| message.contains("Validation Warning");
-    assert!(messages.iter().filter(is_warning).count() > 0, "{messages:#?}");
+    assert!(
+        messages.iter().filter(is_warning).count() > 0,
+        "{messages:#?}"
+    );
 }

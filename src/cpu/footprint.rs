@@ -116,7 +116,10 @@ pub(crate) fn is_visible(view: &Frame, start: Projected, end: Projected, radius_
 /// The radius whose edge, one pixel wide, gives the area of a disc of `radius_px`.
 #[inline]
 fn edged_radius(radius_px: f32) -> f32 {
-    max_exact(square_root(max_exact(radius_px * radius_px - 0.083_333_336, 0.0)), 0.5)
+    max_exact(
+        square_root(max_exact(radius_px * radius_px - 0.083_333_336, 0.0)),
+        0.5,
+    )
 }
 
 /// How much of the unit interval from `pixel` lies within [low, high].
@@ -148,15 +151,25 @@ impl Footprint {
     /// How much of a pixel the square covers, 0 to 1.
     #[inline]
     pub(crate) fn square_weight_at(&self, major: i32, minor: i32) -> f32 {
-        overlap(major, self.start_major - self.reach, self.start_major + self.reach)
-            * overlap(minor, self.start_minor - self.reach, self.start_minor + self.reach)
+        overlap(
+            major,
+            self.start_major - self.reach,
+            self.start_major + self.reach,
+        ) * overlap(
+            minor,
+            self.start_minor - self.reach,
+            self.start_minor + self.reach,
+        )
     }
 
     /// First and one past the last pixel along the minor axis that may be covered.
     #[inline]
     pub(crate) fn minor_range(&self, major: i32) -> (i32, i32) {
         let middle = self.start_minor + (f32_of_i32(major) + 0.5 - self.start_major) * self.slope;
-        (to_i32(middle - self.minor_reach), to_i32(middle + self.minor_reach) + 1)
+        (
+            to_i32(middle - self.minor_reach),
+            to_i32(middle + self.minor_reach) + 1,
+        )
     }
 
     /// What makes the sum of the weights the area of the disc at rest, or with `swept` the area
@@ -181,8 +194,7 @@ impl Footprint {
         } else {
             PI * radius_px * radius_px
         };
-        let mut sum =
-            2.0 * edge * square_root(length_squared) + PI * (edge * edge + 0.083_333_336);
+        let mut sum = 2.0 * edge * square_root(length_squared) + PI * (edge * edge + 0.083_333_336);
         if cells <= FEW_CELLS {
             sum = 0.0;
             for major in first..last {
@@ -195,7 +207,11 @@ impl Footprint {
         let gain = area * reciprocal(sum);
         let half = 0.5 * LARGE_RADIUS_PX;
         let share = clamp_exact((radius_px - half) * 0.5, 0.0, 1.0);
-        if moves { gain } else { gain + share * (1.0 - gain) }
+        if moves {
+            gain
+        } else {
+            gain + share * (1.0 - gain)
+        }
     }
 
     /// The footprint of a disc that moves from `start` to `end`; of a square if it is to be one.
@@ -218,8 +234,11 @@ impl Footprint {
         let inverse_length = inverse_square_root(length_squared);
         let slope = along_minor * reciprocal(along_major);
         let swept = !conserved && moves;
-        let edge =
-            if swept { max_exact(radius_px, 0.5) } else { edged_radius(radius_px) };
+        let edge = if swept {
+            max_exact(radius_px, 0.5)
+        } else {
+            edged_radius(radius_px)
+        };
         let reach = if square { radius_px } else { edge + 0.5 };
         let mut shape = Self {
             kind: if square { SQUARE } else { CAPSULE },

@@ -13,7 +13,7 @@ pub mod systems;
 
 use rayon::prelude::*;
 
-use crate::backend::{Backend, BackendError, available_bytes};
+use crate::backend::{Backend, BackendError, available_bytes, try_zeroed};
 use crate::layout::{Counts, FrameStats, Particle, SystemRow};
 use crate::plan::{FrameInputs, Plan, Stage};
 use light::LightSums;
@@ -58,9 +58,10 @@ impl CpuBackend {
             .map_err(|_| {
                 BackendError::OutOfMemory(format!("a pool of {} particles", plan.capacity))
             })?;
+        let rows = plan.system_count as usize * plan.row_count as usize;
         let pixels = plan.width as usize * plan.height as usize;
         Ok(Self {
-            rows: vec![SystemRow::default(); (plan.system_count * plan.row_count) as usize],
+            rows: try_zeroed(rows, "parameter rows")?,
             birth_counts: Vec::new(),
             birth_offsets: Vec::new(),
             counts: Counts::default(),
@@ -68,7 +69,7 @@ impl CpuBackend {
             survivors: Vec::new(),
             alive_bits: Vec::new(),
             light: LightSums::new(plan.width, plan.height),
-            image: vec![0; pixels],
+            image: try_zeroed(pixels, "pixels")?,
             statistics: Vec::new(),
             threads: threads.map(pool).transpose()?,
         })

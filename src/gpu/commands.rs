@@ -131,6 +131,8 @@ const DIGEST_RUN: u32 = 64;
 pub(super) struct Command {
     pub(super) kernel: &'static str,
     group: wgpu::BindGroup,
+    /// The source and the target page, where it works page by page.
+    pub(super) pages: [usize; 2],
     pub(super) immediates: Vec<u32>,
     pub(super) size: Size,
 }
@@ -163,6 +165,7 @@ impl Command {
 
 /// Where the page-bound names of one dispatch lead.
 struct Pages<'a> {
+    at: [usize; 2],
     particles: Option<&'a wgpu::Buffer>,
     survivors: Option<&'a wgpu::Buffer>,
     large: Option<&'a wgpu::Buffer>,
@@ -201,6 +204,7 @@ impl GpuBackend {
         let (here, there) = (&self.memory.pools[current], &self.memory.pools[1 - current]);
         let mut push = |source: usize, target: usize, immediates: &[u32], size: Size| {
             let pages = Pages {
+                at: [source, target],
                 particles: here.get(source),
                 survivors: there.get(target),
                 large: self.memory.large.get(source),
@@ -295,6 +299,7 @@ impl GpuBackend {
         Ok(Command {
             kernel: kernel_name,
             group,
+            pages: pages.at,
             immediates: immediates.to_vec(),
             size,
         })
@@ -333,6 +338,7 @@ impl GpuBackend {
         live_only: bool,
     ) -> Result<Command, BackendError> {
         let pages = Pages {
+            at: [0, 0],
             particles: None,
             survivors: None,
             large: None,

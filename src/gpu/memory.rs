@@ -29,7 +29,7 @@ pub(super) struct Paging {
 impl Paging {
     /// Pages of at most `most_bytes`, no larger than the capacity needs.
     pub(super) fn new(capacity: u32, most_bytes: u64) -> Self {
-        let fits = (most_bytes / PARTICLE_BYTES).min(1 << 28) as u32 / PAGE_GRAIN * PAGE_GRAIN;
+        let fits = (most_bytes / PARTICLE_BYTES).min(1 << 23) as u32 / PAGE_GRAIN * PAGE_GRAIN;
         let needed = capacity.div_ceil(PAGE_GRAIN) * PAGE_GRAIN;
         let page_len = fits.max(PAGE_GRAIN).min(needed);
         Self {
@@ -89,7 +89,7 @@ impl Memory {
             check_available(plan)?;
         }
         let limits = gpu.device.limits();
-        let most_binding = limits.max_storage_buffer_binding_size;
+        let most_binding = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
         let paging = Paging::new(plan.capacity, most_page_bytes.min(most_binding));
         if paging.dispatches() > MOST_DISPATCHES {
             return Err(BackendError::Unsupported(format!(

@@ -105,6 +105,11 @@ impl GpuBackend {
         } else {
             options.workgroup_size
         };
+        if !(8..=256).contains(&workgroup_size) || !workgroup_size.is_multiple_of(8) {
+            return Err(BackendError::Unsupported(format!(
+                "workgroups of {workgroup_size}: they are 8 to 256, a multiple of 8"
+            )));
+        }
         let most_page_bytes = if options.page_bytes == 0 {
             u64::MAX
         } else {

@@ -87,15 +87,14 @@ impl GpuBackend {
         command: &Command,
         variable: &str,
     ) -> Result<(String, &wgpu::Buffer), BackendError> {
-        // Kernels that work page by page are told which pages by their immediates, source first.
-        let page = |at: usize| command.immediates.get(at).copied().unwrap_or(0);
-        let (pool, page) = match variable {
-            "particles" => (self.current, page(0)),
-            "survivors" => (1 - self.current, page(1)),
+        let (pages, page) = match variable {
+            "particles" => (&self.memory.pools[self.current], command.pages[0]),
+            "survivors" => (&self.memory.pools[1 - self.current], command.pages[1]),
+            "large_particles" => (&self.memory.large, command.pages[0]),
             name => return Ok((name.to_owned(), self.memory.named(name)?)),
         };
-        let buffer = self.memory.pools[pool]
-            .get(page as usize)
+        let buffer = pages
+            .get(page)
             .ok_or_else(|| BackendError::Internal(format!("no page {page} of `{variable}`")))?;
         Ok((format!("{variable}-{page}"), buffer))
     }

@@ -57,11 +57,12 @@ impl GpuBackend {
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         let mut timed = self.timer.as_mut().map(Timer::frame);
         for &stage in stages {
-            if stage == Stage::Splat {
+            let all = &self.commands[self.current][&stage];
+            let begins = all.first().is_some_and(|first| wanted(first.kernel));
+            if stage == Stage::Splat && begins {
                 self.memory.clear_light(&mut encoder)?;
             }
             let dispatches = self.memory.named("dispatches")?;
-            let all = &self.commands[self.current][&stage];
             let commands = all.iter().filter(|command| wanted(command.kernel));
             match &mut timed {
                 None => {

@@ -2,7 +2,7 @@
 
 use super::PlanError;
 use super::variant::{PlannedSystem, Variant};
-use crate::scene::{BirthUnit, Scene};
+use crate::scene::Scene;
 
 /// The largest capacity that a plan takes.
 const MOST_PARTICLES: u64 = 1_000_000_000;
@@ -53,7 +53,7 @@ pub(super) fn capacity(
                         "this scene is too long to bound its particles".into(),
                     ));
                 }
-                let births = births_bound(variant, system, frame);
+                let births = births_bound(system, frame);
                 if births == 0 && system.births.delta_mean_parts <= 0.0 {
                     break;
                 }
@@ -81,17 +81,9 @@ pub(super) fn capacity(
 }
 
 /// The most births that the system can ask for in `frame`.
-fn births_bound(variant: &Variant, system: &PlannedSystem, frame: u32) -> i64 {
+fn births_bound(system: &PlannedSystem, frame: u32) -> i64 {
     let (mean, var) = system.births_at(frame);
-    let scale = match system.births.per {
-        BirthUnit::Frame => 1.0,
-        BirthUnit::ScreenArea => f64::from(super::screen_area_px(
-            &variant.frame,
-            system.frame_values,
-            system.bounding_radius,
-        )),
-    };
-    let most = (f64::from(mean) + f64::from(var)) * scale;
+    let most = (f64::from(mean) + f64::from(var)) * f64::from(system.births_scale);
     // Births are below 2^24 a system and frame.
     if most <= 0.0 {
         0

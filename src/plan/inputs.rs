@@ -1,10 +1,8 @@
 //! Everything that changes while a scene runs reaches a frame as one value.
 
 use super::Plan;
-use super::area::screen_area_px;
 use super::variant::Variant;
 use crate::layout::{Frame, SystemFrame, SystemRow};
-use crate::scene::BirthUnit;
 
 /// What the processor uploads for one frame. The list of them is a recording of the run, and a
 /// recording replays exactly.
@@ -21,24 +19,14 @@ pub struct FrameInputs {
 pub(super) fn frame_inputs(plan: &Plan, variant: &Variant, number: u32) -> FrameInputs {
     let frame = Frame {
         frame: number,
-        system_count: plan.system_count,
-        row_mask: plan.row_count - 1,
-        capacity: plan.capacity,
-        width: plan.width,
-        height: plan.height,
-        ..variant.frame
+        ..plan.bounded(variant.frame)
     };
     let systems = variant
         .systems
         .iter()
         .map(|planned| {
             let (mean, var) = planned.births_at(number);
-            let scale = match planned.births.per {
-                BirthUnit::Frame => 1.0,
-                BirthUnit::ScreenArea => {
-                    screen_area_px(&frame, planned.frame_values, planned.bounding_radius)
-                }
-            };
+            let scale = planned.births_scale;
             SystemFrame {
                 mean_parts: crate::exact::snap(mean * scale),
                 var_parts: crate::exact::snap(var * scale),
@@ -50,5 +38,19 @@ pub(super) fn frame_inputs(plan: &Plan, variant: &Variant, number: u32) -> Frame
         frame,
         systems,
         rows: variant.systems.iter().map(|planned| planned.row).collect(),
+    }
+}
+
+impl Plan {
+    /// `frame` with the sizes and counts that hold for the whole run.
+    pub(crate) fn bounded(&self, frame: Frame) -> Frame {
+        Frame {
+            system_count: self.system_count,
+            row_mask: self.row_count - 1,
+            capacity: self.capacity,
+            width: self.width,
+            height: self.height,
+            ..frame
+        }
     }
 }

@@ -88,6 +88,8 @@ impl Uses {
 pub struct Plan {
     /// Most particles alive at once.
     pub capacity: u32,
+    /// Whether births may be dropped for want of room.
+    pub may_drop: bool,
     /// No particle lives longer than this many frames.
     pub lifetime_bound: u32,
     /// Parameter rows kept for each system, a power of two; 1 if no parameter ever changes.
@@ -128,9 +130,10 @@ impl Plan {
             .chain(turns.iter().map(|turn| &turn.scene))
             .collect();
         let lifetime_bound = bounds::lifetime_bound(&scenes);
-        let capacity = match scene.capacity {
-            Some(capacity) => capacity,
-            None => bounds::capacity(&variants, lifetime_bound, frame_end.max(scene.frames))?,
+        let bound = bounds::capacity(&variants, lifetime_bound, frame_end.max(scene.frames));
+        let (capacity, may_drop) = match scene.capacity {
+            Some(capacity) => (capacity, !bound.is_ok_and(|most| most <= capacity)),
+            None => (bound?, false),
         };
         let row_count = if turns.is_empty() {
             1
@@ -145,6 +148,7 @@ impl Plan {
         Ok(Self {
             uses,
             capacity,
+            may_drop,
             lifetime_bound,
             row_count,
             system_count: scene.systems.len() as u32,
@@ -167,13 +171,18 @@ impl Plan {
 
     /// The earliest frame that a run has to step to have every particle of `frame` right, from an
     /// empty start, its deaths included: particles born before it are dead by then
-    /// (Reeves 1983, section 3).
+    /// (Reeves 1983, section 3). Where births may be dropped, who is alive depends on all that
+    /// came before, and it is frame 0.
     pub fn restart_frame(&self, frame: u32) -> u32 {
+        if self.may_drop {
+            return 0;
+        }
         frame.saturating_sub(self.lifetime_bound)
     }
 }
 
-fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
+/// Whether the turn leaves alone what holds for a whole run of `scene`.
+pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
     let names = |scene: &Scene| -> Vec<String> {
         scene
             .systems

@@ -2,11 +2,12 @@
 
 use glam::{UVec4, Vec3};
 
+use super::area::screen_area_px;
 use crate::exact::{cross3, dot3, normalize_exact, snap};
 use crate::layout::{self, Frame, SystemFrame, SystemRow};
 use crate::rng::pcg4d;
 use crate::scene::{
-    BirthRounding, Births, Camera, GenerationShape, Image, ParticleShape, Scene, StreakLight,
+    BirthRounding, BirthUnit, Births, Camera, GenerationShape, Image, ParticleShape, Scene, StreakLight,
     System,
 };
 use crate::transcendental::{cos_turns, sin_turns};
@@ -31,8 +32,8 @@ pub(super) struct PlannedSystem {
     pub(super) births: Births,
     pub(super) first_frame: u32,
     pub(super) end_frame: Option<u32>,
-    /// Of the generation shape about the system's origin, world units.
-    pub(super) bounding_radius: f32,
+    /// What `births` are multiplied by: 1, or the system's screen area in pixels.
+    pub(super) births_scale: f32,
 }
 
 impl PlannedSystem {
@@ -53,13 +54,14 @@ impl PlannedSystem {
 
 impl Variant {
     pub(super) fn new(first_frame: u32, scene: &Scene) -> Self {
+        let frame = camera_frame(&scene.camera, &scene.image);
         Self {
             first_frame,
-            frame: camera_frame(&scene.camera, &scene.image),
+            frame,
             systems: scene
                 .systems
                 .iter()
-                .map(|system| planned_system(system, scene.seed))
+                .map(|system| planned_system(system, scene.seed, &frame))
                 .collect(),
         }
     }
@@ -100,7 +102,7 @@ fn rotation_columns(degrees: [f32; 2]) -> [[f32; 3]; 3] {
     ]
 }
 
-fn planned_system(system: &System, seed: u64) -> PlannedSystem {
+fn planned_system(system: &System, seed: u64, frame: &Frame) -> PlannedSystem {
     let columns = rotation_columns(system.rotation_degrees);
     let row = |i: usize| {
         [
@@ -114,26 +116,39 @@ fn planned_system(system: &System, seed: u64) -> PlannedSystem {
     // The inverse of a rotation is its transpose: a column's product with the world vector.
     let [ax, ay, az] = system.acceleration;
     let [a0, a1, a2] = columns.map(|[x, y, z]| snap(x * ax + y * ay + z * az));
+    let frame_values = SystemFrame {
+        world_from_system_x: row(0),
+        world_from_system_y: row(1),
+        world_from_system_z: row(2),
+        acceleration: [a0, a1, a2, 0.0],
+        key: system_key(seed, &system.name),
+        stochastic_rounding: u32::from(system.birth_rounding == BirthRounding::Stochastic),
+        ..SystemFrame::default()
+    };
     PlannedSystem {
         row: system_row(system),
-        frame_values: SystemFrame {
-            world_from_system_x: row(0),
-            world_from_system_y: row(1),
-            world_from_system_z: row(2),
-            acceleration: [a0, a1, a2, 0.0],
-            key: system_key(seed, &system.name),
-            stochastic_rounding: u32::from(system.birth_rounding == BirthRounding::Stochastic),
-            ..SystemFrame::default()
-        },
+        frame_values,
         births: system.births,
         first_frame: system.first_frame,
         end_frame: system.end_frame,
-        bounding_radius: match system.generation_shape {
-            GenerationShape::Sphere { radius } | GenerationShape::Circle { radius } => radius,
-            GenerationShape::Rectangle { length, width } => {
-                0.5 * (length * length + width * width).sqrt()
+        // Neither camera nor system moves before the next variant.
+        births_scale: match system.births.per {
+            BirthUnit::Frame => 1.0,
+            BirthUnit::ScreenArea => {
+                let radius = bounding_radius(system.generation_shape);
+                screen_area_px(frame, frame_values, radius)
             }
         },
+    }
+}
+
+/// Radius of the generation shape about the system's origin, world units.
+fn bounding_radius(shape: GenerationShape) -> f32 {
+    match shape {
+        GenerationShape::Sphere { radius } | GenerationShape::Circle { radius } => radius,
+        GenerationShape::Rectangle { length, width } => {
+            0.5 * (length * length + width * width).sqrt()
+        }
     }
 }
 

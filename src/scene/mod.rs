@@ -57,7 +57,7 @@ pub struct Scene {
     pub seed: u64,
     /// Most particles alive at once, 1 ..= 1,000,000,000; `None` means a bound computed from births and lifetimes.
     pub capacity: Option<u32>,
-    /// Image size, background and exposure.
+    /// Image size, background and shutter.
     pub image: Image,
     /// The viewer.
     pub camera: Camera,

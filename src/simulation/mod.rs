@@ -93,18 +93,24 @@ fn backend(plan: &Plan, options: &Options) -> Result<Box<dyn Backend>, Simulatio
     let on_cpu = || -> Result<Box<dyn Backend>, SimulationError> {
         Ok(Box::new(CpuBackend::new(plan, options.threads)?))
     };
-    let wanted = match &options.adapter {
-        AdapterChoice::Cpu => return on_cpu(),
-        AdapterChoice::Auto => "",
-        AdapterChoice::Named(name) => name,
+    let on = |device: &gpu::GpuDevice| -> Result<Box<dyn Backend>, SimulationError> {
+        Ok(Box::new(GpuBackend::new(device, plan, &options.gpu)?))
     };
-    match gpu::open(wanted)? {
-        Some(device) => Ok(Box::new(GpuBackend::new(&device, plan, &options.gpu)?)),
-        None if wanted.is_empty() => on_cpu(),
-        None => Err(SimulationError::NoAdapter {
-            wanted: wanted.to_owned(),
-            available: adapter_names(),
-        }),
+    match &options.adapter {
+        AdapterChoice::Cpu => on_cpu(),
+        AdapterChoice::Named(name) => match gpu::open(name)? {
+            Some(device) => on(&device),
+            None => Err(SimulationError::NoAdapter {
+                wanted: name.clone(),
+                available: adapter_names(),
+            }),
+        },
+        // An adapter that does not open, or has no room, is passed over.
+        AdapterChoice::Auto => gpu::adapters()
+            .iter()
+            .filter_map(|adapter| gpu::open(&adapter.name).ok().flatten())
+            .find_map(|device| on(&device).ok())
+            .map_or_else(on_cpu, Ok),
     }
 }
 
@@ -158,7 +164,8 @@ impl Simulation {
         self.step_with(inputs)
     }
 
-    /// Steps the next frame with inputs of the caller's making; its frame number is set here.
+    /// Steps the next frame with inputs of the caller's making; its frame number, and all sizes and
+    /// counts, are set here.
     ///
     /// # Errors
     /// The machine fails, or the inputs use what the plan does not ([`crate::plan::Uses`]).
@@ -171,7 +178,22 @@ impl Simulation {
                     .into(),
             }));
         }
-        inputs.frame.frame = self.next_frame;
+        let slots = self.plan.system_count as usize;
+        if inputs.systems.len() != slots || inputs.rows.len() != slots {
+            return Err(SimulationError::Plan(PlanError {
+                message: format!(
+                    "inputs for {} systems and {} rows",
+                    inputs.systems.len(),
+                    inputs.rows.len()
+                ),
+                help: format!("this plan has {slots} of each"),
+            }));
+        }
+        // What holds for a whole run is the plan's: kernels index by it.
+        inputs.frame = crate::layout::Frame {
+            frame: self.next_frame,
+            ..self.plan.bounded(inputs.frame)
+        };
         self.backend.step(&inputs)?;
         self.inputs = Some(inputs);
         self.next_frame += 1;

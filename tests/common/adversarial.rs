@@ -16,7 +16,7 @@ impl Dice {
     }
 
     fn below(&mut self, end: u32) -> u32 {
-        (u64::from(self.word()) * u64::from(end) >> 32) as u32
+        ((u64::from(self.word()) * u64::from(end)) >> 32) as u32
     }
 
     /// Uniform in -1 .. 1.

@@ -3,6 +3,8 @@
 #![allow(dead_code, unused_imports)]
 
 mod adversarial;
+mod arguments;
+mod edges;
 mod probes;
 mod scenes;
 pub(crate) mod statistics;
@@ -16,6 +18,8 @@ use motes::gpu::{self, GpuBackend, GpuDevice, GpuOptions};
 use motes::plan::{BUFFERS, BufferRole, FrameInputs, Plan, STAGES, Stage};
 
 pub(crate) use adversarial::*;
+pub(crate) use arguments::*;
+pub(crate) use edges::*;
 pub(crate) use probes::*;
 pub(crate) use scenes::*;
 pub(crate) use work::*;
@@ -167,13 +171,12 @@ pub(crate) fn compare_run(
         let frame = inputs.frame.frame;
         let failed = |e: motes::backend::BackendError| format!("frame {frame}: {e}");
         let differs = |what: &str, got: String, expected: String| {
-            (got != expected)
-                .then(|| {
-                    Err(format!(
-                        "frame {frame}, {what}: {got} instead of {expected}"
-                    ))
-                })
-                .unwrap_or(Ok(()))
+            if got == expected {
+                return Ok(());
+            }
+            Err(format!(
+                "frame {frame}, {what}: {got} instead of {expected}"
+            ))
         };
         let digests = |backend: &mut dyn Backend| {
             let of = (backend.state_digest()?, backend.image_digest()?);

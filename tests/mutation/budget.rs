@@ -10,7 +10,10 @@ use crate::sites::walk_mut;
 /// Every loop of every function breaks after the function has made `most` rounds in all its
 /// loops; a kernel that makes fewer gives the same as without.
 pub(crate) fn bound_loops(module: &mut Module, most: u32) {
-    let word = Type { name: None, inner: TypeInner::Scalar(Scalar::U32) };
+    let word = Type {
+        name: None,
+        inner: TypeInner::Scalar(Scalar::U32),
+    };
     let word = module.types.insert(word, Span::UNDEFINED);
     for (_, function) in module.functions.iter_mut() {
         bound(function, word, most);
@@ -28,18 +31,39 @@ fn bound(function: &mut Function, word: Handle<Type>, most: u32) {
     if !has_loops {
         return;
     }
-    let Function { expressions, local_variables, body, .. } = function;
+    let Function {
+        expressions,
+        local_variables,
+        body,
+        ..
+    } = function;
     let mut put = |expression| expressions.append(expression, Span::UNDEFINED);
     let zero = put(E::Literal(Literal::U32(0)));
     let one = put(E::Literal(Literal::U32(1)));
     let most = put(E::Literal(Literal::U32(most)));
-    let rounds = LocalVariable { name: Some("rounds".into()), ty: word, init: Some(zero) };
-    let pointer = put(E::LocalVariable(local_variables.append(rounds, Span::UNDEFINED)));
+    let rounds = LocalVariable {
+        name: Some("rounds".into()),
+        ty: word,
+        init: Some(zero),
+    };
+    let pointer = put(E::LocalVariable(
+        local_variables.append(rounds, Span::UNDEFINED),
+    ));
     walk_mut(body, &mut 0, &mut |_, statement| {
-        let Statement::Loop { body, .. } = statement else { return };
+        let Statement::Loop { body, .. } = statement else {
+            return;
+        };
         let before = put(E::Load { pointer });
-        let value = put(E::Binary { op: BinaryOperator::Add, left: before, right: one });
-        let condition = put(E::Binary { op: BinaryOperator::Greater, left: value, right: most });
+        let value = put(E::Binary {
+            op: BinaryOperator::Add,
+            left: before,
+            right: one,
+        });
+        let condition = put(E::Binary {
+            op: BinaryOperator::Greater,
+            left: value,
+            right: most,
+        });
         let guard = [
             Statement::Emit(Range::new_from_bounds(before, condition)),
             Statement::Store { pointer, value },

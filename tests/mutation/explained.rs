@@ -27,5 +27,9 @@ pub(crate) fn reason(kernel: &str, description: &str) -> Option<&'static str> {
 pub(crate) fn idle(changes: &[(&str, String)]) -> Vec<&'static str> {
     let fits_any =
         |one: &&Explanation| changes.iter().any(|(kernel, what)| fits(one, kernel, what));
-    EXPLAINED.iter().filter(|one| !fits_any(one)).map(|(_, what, _)| *what).collect()
+    EXPLAINED
+        .iter()
+        .filter(|one| !fits_any(one))
+        .map(|(_, what, _)| *what)
+        .collect()
 }

@@ -31,18 +31,15 @@ impl Printer<'_> {
             Some(name) => name.clone(),
             None => self.print(handle, depth - 1),
         };
-        let item = |name: &Option<String>| {
-            shader::origin(name.as_deref().unwrap_or("?")).1.to_owned()
-        };
+        let item =
+            |name: &Option<String>| shader::origin(name.as_deref().unwrap_or("?")).1.to_owned();
         match &self.function.expressions[handle] {
             E::Literal(Literal::F32(x)) => format!("{x:?}f"),
             E::Literal(Literal::U32(x)) => format!("{x}u"),
             E::Literal(Literal::I32(x)) => format!("{x}i"),
             E::Literal(other) => format!("{other:?}"),
             E::Constant(constant) => item(&self.module.constants[*constant].name),
-            E::FunctionArgument(index) => {
-                item(&self.function.arguments[*index as usize].name)
-            }
+            E::FunctionArgument(index) => item(&self.function.arguments[*index as usize].name),
             E::GlobalVariable(global) => item(&self.module.global_variables[*global].name),
             E::LocalVariable(local) => item(&self.function.local_variables[*local].name),
             E::Load { pointer } => of(*pointer),
@@ -51,19 +48,44 @@ impl Printer<'_> {
             }
             E::Access { base, index } => format!("{}[{}]", of(*base), of(*index)),
             E::Splat { value, .. } => of(*value),
-            E::Swizzle { vector, pattern, size } => {
-                let letters = pattern.iter().take(*size as usize).map(|c| "xyzw".as_bytes()[*c as usize] as char);
+            E::Swizzle {
+                vector,
+                pattern,
+                size,
+            } => {
+                let letters = pattern
+                    .iter()
+                    .take(*size as usize)
+                    .map(|c| "xyzw".as_bytes()[*c as usize] as char);
                 format!("{}.{}", of(*vector), letters.collect::<String>())
             }
             E::Unary { op, expr } => format!("{op:?}({})", of(*expr)),
             E::Binary { op, left, right } => {
                 format!("({} {} {})", of(*left), sign(*op), of(*right))
             }
-            E::Select { condition, accept, reject } => {
-                format!("select({}, {}, {})", of(*reject), of(*accept), of(*condition))
+            E::Select {
+                condition,
+                accept,
+                reject,
+            } => {
+                format!(
+                    "select({}, {}, {})",
+                    of(*reject),
+                    of(*accept),
+                    of(*condition)
+                )
             }
-            E::Math { fun, arg, arg1, arg2, .. } => {
-                let rest = [arg1, arg2].into_iter().flatten().map(|arg| format!(", {}", of(*arg)));
+            E::Math {
+                fun,
+                arg,
+                arg1,
+                arg2,
+                ..
+            } => {
+                let rest = [arg1, arg2]
+                    .into_iter()
+                    .flatten()
+                    .map(|arg| format!(", {}", of(*arg)));
                 format!("{fun:?}({}{})", of(*arg), rest.collect::<String>())
             }
             E::As { expr, kind, .. } => format!("{kind:?}({})", of(*expr)),
@@ -75,7 +97,11 @@ impl Printer<'_> {
                 format!("({})", parts.join(", "))
             }
             E::AtomicResult { .. } => "atomic".to_owned(),
-            other => format!("{other:?}").split([' ', '(']).next().unwrap_or("?").to_owned(),
+            other => format!("{other:?}")
+                .split([' ', '('])
+                .next()
+                .unwrap_or("?")
+                .to_owned(),
         }
     }
 

@@ -1,13 +1,14 @@
 //! Where a kernel can be changed, and how: literals, operators, comparisons, selections, branches,
 //! components, functions, stores, in naga's IR.
 
-use motes::gpu::shader;
-use naga::valid::{Capabilities, FunctionInfo, ValidationFlags, Validator};
-use naga::{
-    AtomicFunction, BinaryOperator as Op, Block, Expression as E, Function, Handle, Literal,
-    MathFunction as Mf, Module, Statement, TypeInner, UnaryOperator,
-};
+use std::cell::RefCell;
+use std::collections::HashMap;
 
+use motes::gpu::shader::{self, CompileOptions, CompiledKernel, ShaderError};
+use naga::valid::{Capabilities, FunctionInfo, ValidationFlags, Validator};
+use naga::{AtomicFunction, Block, Expression as E, Function, Handle, Module, Statement};
+
+use crate::changes::{changes, literals, value};
 use crate::printed::Printer;
 
 /// Which body a site is in.
@@ -36,13 +37,38 @@ enum Change {
 pub(crate) struct Site {
     /// Function and expression before and after, for people and for the table of the explained.
     pub(crate) description: String,
+    /// How many of the same description come before it in the same kernel.
+    occurrence: usize,
     body: Body,
     change: Change,
 }
 
+/// Compiles a kernel.
+pub(crate) type Compile<'a> = &'a dyn Fn(&CompileOptions) -> Result<CompiledKernel, ShaderError>;
+
+/// Every change to what a kernel has from the libraries that `wanted` approves of.
+pub(crate) fn of_kernel(compile: Compile, wanted: &dyn Fn(Option<&str>) -> bool) -> Vec<Site> {
+    let found = RefCell::new(Vec::new());
+    // A look at the module as it is when changes are made.
+    let look = |module: &mut Module| *found.borrow_mut() = sites(module, wanted);
+    compile(&CompileOptions {
+        mutate: Some(&look),
+        ..CompileOptions::default()
+    })
+    .expect("the kernel compiles");
+    let mut found = found.into_inner();
+    let mut seen: HashMap<String, usize> = HashMap::new();
+    for site in &mut found {
+        let before = seen.entry(site.description.clone()).or_default();
+        site.occurrence = *before;
+        *before += 1;
+    }
+    found
+}
+
 /// Every change to what the module has from the libraries that `wanted` approves of; `None` is
 /// the kernel's own file.
-pub(crate) fn sites(module: &Module, wanted: &dyn Fn(Option<&str>) -> bool) -> Vec<Site> {
+fn sites(module: &Module, wanted: &dyn Fn(Option<&str>) -> bool) -> Vec<Site> {
     let info = Validator::new(ValidationFlags::all(), Capabilities::all())
         .validate(module)
         .expect("the kernel is valid before it is changed");
@@ -56,6 +82,7 @@ pub(crate) fn sites(module: &Module, wanted: &dyn Fn(Option<&str>) -> bool) -> V
             for (to, _) in literals(literal) {
                 sites.push(Site {
                     description: format!("const {name}: {} -> {}", value(literal), value(to)),
+                    occurrence: 0,
                     body: Body::Constant,
                     change: Change::Expression(constant.init, E::Literal(to)),
                 });
@@ -66,7 +93,14 @@ pub(crate) fn sites(module: &Module, wanted: &dyn Fn(Option<&str>) -> bool) -> V
         let (library, name) = shader::origin(function.name.as_deref().unwrap_or_default());
         if wanted(library.as_deref()) {
             let of = &info[handle];
-            collect(module, of, function, name, Body::Function(handle), &mut sites);
+            collect(
+                module,
+                of,
+                function,
+                name,
+                Body::Function(handle),
+                &mut sites,
+            );
         }
     }
     if wanted(None) {
@@ -99,13 +133,23 @@ fn collect(
                 }
                 _ => format!("{name}: {} -> {what}", printer.deep(handle)),
             };
-            sites.push(Site { description, body, change: Change::Expression(handle, to) });
+            sites.push(Site {
+                description,
+                occurrence: 0,
+                body,
+                change: Change::Expression(handle, to),
+            });
         }
     }
     let mut at = 0;
     walk(&function.body, &mut at, &mut |at, statement| {
         let mut push = |what: String, change| {
-            sites.push(Site { description: format!("{name}: {what}"), body, change });
+            sites.push(Site {
+                description: format!("{name}: {what}"),
+                occurrence: 0,
+                body,
+                change,
+            });
         };
         match statement {
             Statement::If { condition, .. } => {
@@ -116,9 +160,16 @@ fn collect(
                 let (pointer, value) = (printer.deep(*pointer), printer.shallow(*value));
                 push(format!("{pointer} = {value} -> omitted"), Change::Omit(at));
             }
-            Statement::Atomic { pointer, fun: AtomicFunction::Add, .. } => {
+            Statement::Atomic {
+                pointer,
+                fun: AtomicFunction::Add,
+                ..
+            } => {
                 let pointer = printer.deep(*pointer);
-                push(format!("atomicAdd({pointer}) -> atomicSub"), Change::Subtract(at));
+                push(
+                    format!("atomicAdd({pointer}) -> atomicSub"),
+                    Change::Subtract(at),
+                );
             }
             _ => {}
         }
@@ -130,16 +181,28 @@ fn user_of(function: &Function, handle: Handle<E>) -> Option<Handle<E>> {
     let uses = |expression: &E| match *expression {
         E::Binary { left, right, .. } => left == handle || right == handle,
         E::Unary { expr, .. } | E::As { expr, .. } => expr == handle,
-        E::Select { condition, accept, reject } => [condition, accept, reject].contains(&handle),
-        E::Math { arg, arg1, arg2, arg3, .. } => {
-            [Some(arg), arg1, arg2, arg3].contains(&Some(handle))
-        }
+        E::Select {
+            condition,
+            accept,
+            reject,
+        } => [condition, accept, reject].contains(&handle),
+        E::Math {
+            arg,
+            arg1,
+            arg2,
+            arg3,
+            ..
+        } => [Some(arg), arg1, arg2, arg3].contains(&Some(handle)),
         E::Access { base, index } => base == handle || index == handle,
         E::Splat { value, .. } => value == handle,
         E::Compose { ref components, .. } => components.contains(&handle),
         _ => false,
     };
-    function.expressions.iter().find(|(_, expression)| uses(expression)).map(|(user, _)| user)
+    function
+        .expressions
+        .iter()
+        .find(|(_, expression)| uses(expression))
+        .map(|(user, _)| user)
 }
 
 /// Visits every statement in order of text, outer before inner, with its number.
@@ -153,7 +216,9 @@ fn walk(block: &Block, at: &mut usize, visit: &mut dyn FnMut(usize, &Statement))
                 walk(accept, at, visit);
                 walk(reject, at, visit);
             }
-            Statement::Loop { body, continuing, .. } => {
+            Statement::Loop {
+                body, continuing, ..
+            } => {
                 walk(body, at, visit);
                 walk(continuing, at, visit);
             }
@@ -180,12 +245,16 @@ pub(crate) fn walk_mut(
                 walk_mut(accept, at, visit);
                 walk_mut(reject, at, visit);
             }
-            Statement::Loop { body, continuing, .. } => {
+            Statement::Loop {
+                body, continuing, ..
+            } => {
                 walk_mut(body, at, visit);
                 walk_mut(continuing, at, visit);
             }
             Statement::Switch { cases, .. } => {
-                cases.iter_mut().for_each(|case| walk_mut(&mut case.body, at, visit));
+                cases
+                    .iter_mut()
+                    .for_each(|case| walk_mut(&mut case.body, at, visit));
             }
             _ => {}
         }
@@ -193,141 +262,12 @@ pub(crate) fn walk_mut(
     }
 }
 
-fn value(literal: Literal) -> String {
-    match literal {
-        Literal::F32(x) => format!("{x:?}f"),
-        Literal::U32(x) => format!("{x}u"),
-        Literal::I32(x) => format!("{x}i"),
-        other => format!("{other:?}"),
-    }
-}
-
-/// Literals that are nearly this one.
-fn literals(literal: Literal) -> Vec<(Literal, String)> {
-    let to = match literal {
-        Literal::F32(0.0) => vec![Literal::F32(1.0), Literal::F32(-1.0)],
-        Literal::F32(x) => vec![Literal::F32(2.0 * x), Literal::F32(-x)],
-        Literal::U32(x) => {
-            vec![Literal::U32(x.wrapping_add(1)), Literal::U32(x.wrapping_sub(1))]
-        }
-        Literal::I32(x) => {
-            vec![Literal::I32(x.wrapping_add(1)), Literal::I32(x.wrapping_sub(1))]
-        }
-        Literal::Bool(x) => vec![Literal::Bool(!x)],
-        _ => vec![],
-    };
-    to.into_iter().map(|to| (to, value(to))).collect()
-}
-
-/// What an expression can become, and how to say it.
-fn changes<'a>(
-    module: &'a Module,
-    expression: &E,
-    inner_of: &dyn Fn(Handle<E>) -> &'a TypeInner,
-) -> Vec<(E, String)> {
-    match *expression {
-        E::Literal(literal) => {
-            literals(literal).into_iter().map(|(to, what)| (E::Literal(to), what)).collect()
-        }
-        E::Binary { op, left, right } => operators(op)
-            .iter()
-            .map(|&op| (E::Binary { op, left, right }, format!("{op:?}")))
-            .collect(),
-        E::Select { condition, accept, reject } => {
-            let to = E::Select { condition, accept: reject, reject: accept };
-            vec![(to, "swapped".to_owned())]
-        }
-        E::Unary { op, expr } => {
-            let op = match op {
-                UnaryOperator::Negate => Op::Add,
-                UnaryOperator::LogicalNot => Op::LogicalAnd,
-                UnaryOperator::BitwiseNot => Op::And,
-            };
-            vec![(E::Binary { op, left: expr, right: expr }, format!("{op:?} with itself"))]
-        }
-        E::Math { fun, arg, arg1, arg2, arg3 } => {
-            let math = |fun| E::Math { fun, arg, arg1, arg2, arg3 };
-            let to = match fun {
-                Mf::Min => math(Mf::Max),
-                Mf::Max => math(Mf::Min),
-                Mf::Floor => math(Mf::Ceil),
-                Mf::CountOneBits => math(Mf::CountTrailingZeros),
-                Mf::Abs => E::Binary { op: Op::Add, left: arg, right: arg },
-                Mf::Clamp => E::Math { fun, arg, arg1: arg2, arg2: arg1, arg3 },
-                _ => return vec![],
-            };
-            vec![(to, format!("not {fun:?}"))]
-        }
-        E::AccessIndex { base, index } => neighbour(module, inner_of(base), index)
-            .map(|to| {
-                let to = E::AccessIndex { base, index: to };
-                (to, format!("member {}", neighbour_name(module, inner_of(base), index)))
-            })
-            .into_iter()
-            .collect(),
-        E::Swizzle { size, vector, mut pattern } => {
-            pattern.swap(0, 1);
-            vec![(E::Swizzle { size, vector, pattern }, "swizzled".to_owned())]
-        }
-        _ => vec![],
-    }
-}
-
-fn operators(op: Op) -> &'static [Op] {
-    match op {
-        Op::Add => &[Op::Subtract],
-        Op::Subtract => &[Op::Add],
-        Op::Multiply => &[Op::Add],
-        Op::Divide => &[Op::Multiply],
-        Op::Modulo => &[Op::Divide],
-        Op::Less => &[Op::LessEqual, Op::GreaterEqual],
-        Op::LessEqual => &[Op::Less, Op::Greater],
-        Op::Greater => &[Op::GreaterEqual, Op::LessEqual],
-        Op::GreaterEqual => &[Op::Greater, Op::Less],
-        Op::Equal => &[Op::NotEqual],
-        Op::NotEqual => &[Op::Equal],
-        Op::And => &[Op::InclusiveOr],
-        Op::InclusiveOr => &[Op::And],
-        Op::ExclusiveOr => &[Op::And],
-        Op::LogicalAnd => &[Op::LogicalOr],
-        Op::LogicalOr => &[Op::LogicalAnd],
-        Op::ShiftLeft => &[Op::ShiftRight],
-        Op::ShiftRight => &[Op::ShiftLeft],
-    }
-}
-
-/// The next member of the same type, going round.
-fn neighbour(module: &Module, base: &TypeInner, index: u32) -> Option<u32> {
-    let base = match *base {
-        TypeInner::Pointer { base, .. } => &module.types[base].inner,
-        ref other => other,
-    };
-    match base {
-        TypeInner::Vector { size, .. } => Some((index + 1) % *size as u32),
-        TypeInner::ValuePointer { size: Some(size), .. } => Some((index + 1) % *size as u32),
-        TypeInner::Struct { members, .. } => {
-            let len = members.len() as u32;
-            (1..len)
-                .map(|step| (index + step) % len)
-                .find(|to| members[*to as usize].ty == members[index as usize].ty)
-        }
-        _ => None,
-    }
-}
-
-fn neighbour_name(module: &Module, base: &TypeInner, index: u32) -> String {
-    let to = neighbour(module, base, index).unwrap_or(index);
-    let base = match *base {
-        TypeInner::Pointer { base, .. } => &module.types[base].inner,
-        ref other => other,
-    };
-    match base {
-        TypeInner::Struct { members, .. } => members[to as usize].name.clone().unwrap_or_default(),
-        _ => ["x", "y", "z", "w"][to as usize % 4].to_owned(),
-    }
-}
-
 impl Site {
+    /// What tells it from all others of its file, in whichever kernel.
+    pub(crate) fn key(&self) -> (String, usize) {
+        (self.description.clone(), self.occurrence)
+    }
+
     /// Makes the change.
     pub(crate) fn apply(&self, module: &mut Module) {
         let function = match self.body {

@@ -3,8 +3,8 @@
 use std::sync::OnceLock;
 
 use motes::backend::Backend;
-use motes::gpu::shader::{self, Access, CompileOptions, CompiledKernel};
-use motes::gpu::{GpuBackend, GpuDevice, GpuOptions, KernelForm, STAGE_KERNELS};
+use motes::gpu::shader::{self, Access, CompileOptions};
+use motes::gpu::{GpuBackend, GpuDevice, GpuOptions, STAGE_KERNELS};
 use motes::layout::Counts;
 use motes::plan::{FrameInputs, Plan, STAGES};
 
@@ -41,8 +41,17 @@ impl Trial {
     ) -> Self {
         let cut = Cut::new(workgroup_size, page_bytes, plan.capacity);
         let mut cpu = on_cpu(&plan);
-        let frames = frames.into_iter().map(|inputs| told(&mut cpu, inputs, &cut)).collect();
-        Self { name, cut, page_bytes, plan, frames }
+        let frames = frames
+            .into_iter()
+            .map(|inputs| told(&mut cpu, inputs, &cut))
+            .collect();
+        Self {
+            name,
+            cut,
+            page_bytes,
+            plan,
+            frames,
+        }
     }
 
     /// An unchanged run on the device, that [`Trial::difference`] starts from.
@@ -62,16 +71,9 @@ impl Trial {
         self.cut.workgroup_size
     }
 
-    /// Runs from the beginning with one kernel replaced, until something is not as told; `None`
-    /// where all is.
-    pub(crate) fn difference(
-        &self,
-        backend: &mut GpuBackend,
-        changed: &CompiledKernel,
-    ) -> Option<String> {
-        if let Err(e) = backend.restart(changed, KernelForm::Spirv, true) {
-            return Some(format!("restart: {e}"));
-        }
+    /// Runs a run that stands at its beginning, until something is not as told; `None` where all
+    /// is.
+    pub(crate) fn difference(&self, backend: &mut GpuBackend) -> Option<String> {
         self.frames.iter().find_map(|told| {
             let frame = told.inputs.frame.frame;
             match frame_difference(backend, told) {
@@ -89,7 +91,8 @@ fn told(cpu: &mut dyn Backend, inputs: FrameInputs, cut: &Cut) -> Told {
     let mut after_offsets = Vec::new();
     let mut alive = Vec::new();
     for info in STAGES {
-        cpu.run_stage(info.stage, &inputs).expect("the processor runs every stage");
+        cpu.run_stage(info.stage, &inputs)
+            .expect("the processor runs every stage");
         let mut read = |buffer| cpu.read(buffer).expect("a state buffer");
         for buffer in compared_after(info.stage) {
             outcome.push((info.name, buffer, read(buffer)));
@@ -127,10 +130,18 @@ fn listing_kernels() -> &'static [&'static str] {
     LISTING.get_or_init(|| {
         let lists = |kernel: &&str| {
             let compiled = shader::compile(kernel, &CompileOptions::default());
-            let bindings = compiled.map(|compiled| compiled.bindings).unwrap_or_default();
-            bindings.iter().any(|it| it.name == "dispatches" && it.access == Access::ReadWrite)
+            let bindings = compiled
+                .map(|compiled| compiled.bindings)
+                .unwrap_or_default();
+            bindings
+                .iter()
+                .any(|it| it.name == "dispatches" && it.access == Access::ReadWrite)
         };
-        STAGE_KERNELS.iter().map(|one| one.kernel).filter(lists).collect()
+        STAGE_KERNELS
+            .iter()
+            .map(|one| one.kernel)
+            .filter(lists)
+            .collect()
     })
 }
 
@@ -161,7 +172,9 @@ fn frame_difference(
                 return Ok(Some(format!("{}, dispatches: {difference}", one.kernel)));
             }
         }
-        let is_last = STAGE_KERNELS.get(at + 1).is_none_or(|next| next.stage != one.stage);
+        let is_last = STAGE_KERNELS
+            .get(at + 1)
+            .is_none_or(|next| next.stage != one.stage);
         if !is_last {
             continue;
         }
@@ -174,7 +187,10 @@ fn frame_difference(
     }
     let digests = (gpu.state_digest()?, gpu.image_digest()?);
     if digests != told.digests {
-        return Ok(Some(format!("digests {digests:x?} instead of {:x?}", told.digests)));
+        return Ok(Some(format!(
+            "digests {digests:x?} instead of {:x?}",
+            told.digests
+        )));
     }
     let statistics = format!("{:?}", gpu.take_statistics()?);
     Ok((statistics != told.statistics)
@@ -188,9 +204,12 @@ pub(crate) fn trials() -> Vec<Trial> {
         let frames = frames_of(&plan, 10);
         (plan, frames)
     };
+    let large = everything_turning(&large_shapes(120, 90));
+    let large_frames = frames_of(&large, 4);
     const PAGE: u64 = 64 << 10;
     vec![
         Trial::new("everything", turning(&everything()), 64, PAGE),
+        Trial::new("large shapes", (large, large_frames), 64, PAGE),
         Trial::new("dropped", turning(&everything_within(2500)), 24, PAGE),
         Trial::new("extreme at 65,536", adversarial(1, 65_531, 8), 64, PAGE),
         Trial::new("extreme at 256", adversarial(2, 252, 8), 64, PAGE),

@@ -9,7 +9,7 @@
 // Steps of light in 1.0.
 const LIGHT_STEPS: f32 = 1048576.0f;
 
-// A contribution in steps, to the nearest; contributions are at most 1,000 times white.
+// A contribution in steps, to the nearest; what is more than 1,024 times white counts as that.
 fn steps_of(light: f32) -> u32 {
     return u32(max(to_i32(light * LIGHT_STEPS + 0.5f), 0));
 }

@@ -3,7 +3,8 @@
 //
 // One invocation in all: systems are few. Reads: frame, birth_counts. Writes: birth_offsets,
 // counts, dispatches.
-// Invariant: born + dropped = requested and live + born <= capacity; births that do not fit are
+// Invariant: offsets never go down (a sum beyond 32 bits stays at their top);
+// born + dropped = requested and live + born <= capacity; births that do not fit are
 // the last ones, and they are counted.
 
 #import motes::dispatch::dispatch_for
@@ -27,7 +28,8 @@ fn offsets() {
     var requested = 0u;
     for (var slot = 0u; slot < frame.system_count; slot += 1u) {
         birth_offsets[slot] = requested;
-        requested += birth_counts[slot];
+        let next = requested + birth_counts[slot];
+        requested = select(next, 0xffffffffu, next < requested);
     }
     birth_offsets[frame.system_count] = requested;
 

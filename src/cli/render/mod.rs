@@ -1,5 +1,6 @@
 //! `motes render`: a scene becomes pictures, an animation, statistics and dumps.
 
+mod collisions;
 mod job;
 
 use std::collections::BTreeMap;
@@ -8,8 +9,8 @@ use std::path::{Path, PathBuf};
 
 use super::CliError;
 use crate::output::{FrameSink, OutputTarget, StatsWriter};
-use crate::recording::Recording;
-use crate::scene::{self, SceneError};
+use crate::recording::{Recording, RefusedChange};
+use crate::scene;
 use crate::simulation::{AdapterChoice, Options, Simulation};
 use job::Job;
 
@@ -111,10 +112,11 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
         Some(out) => OutputTarget::parse(out)?,
         None => OutputTarget::Folder(folder),
     };
+    collisions::refuse(&target, &frames, args.stats.as_deref(), &args.dump, &dump_dir)?;
     let turns = match &args.inputs {
         Some(path) => {
             let turns = recording_of(path)?.turns(&args.scene, &sets);
-            turns.map_err(|e| refused_change(e, path))?
+            turns.map_err(|e| refused_change(&e, path))?
         }
         None => Vec::new(),
     };
@@ -178,9 +180,12 @@ fn recording_of(path: &Path) -> Result<Recording, CliError> {
     Ok(Recording::parse(&text, &path.display().to_string())?)
 }
 
-/// A change that the scene refuses, with the file that asks for it.
-fn refused_change(error: SceneError, path: &Path) -> CliError {
-    let mut told = CliError::from(error);
-    told.message += &format!("\n   = note: the change stands in {}", path.display());
-    told
+/// A change that the scene refuses: where it stands, and below that what the scene says.
+fn refused_change(refused: &RefusedChange, path: &Path) -> CliError {
+    let (file, line) = (path.display(), refused.change.line);
+    let why = refused.message.trim_start_matches("error: ");
+    CliError {
+        message: format!("error: {file}:{line}: the scene refuses this change\n{why}"),
+        code: 2,
+    }
 }

@@ -8,9 +8,7 @@ use crate::cpu::footprint::{
 };
 use crate::cpu::light::{LightSums, steps_of};
 use crate::cpu::particle::{appearance_of, identity_of, row_index};
-use crate::exact::{
-    clamp_exact, f32_of_i32, less, min_exact, reciprocal, square_root, to_i32,
-};
+use crate::exact::{clamp_exact, f32_of_i32, less, min_exact, reciprocal, square_root, to_i32};
 use crate::layout::{PARTICLE_RECTANGLE, PARTICLE_STREAK, Particle, STREAK_CONSTANT, SystemRow};
 use crate::plan::FrameInputs;
 
@@ -33,20 +31,18 @@ fn draw_row(light: &LightSums, shape: &Footprint, major: i32, color: Vec3) {
             shape.weight_at(major, minor) * shape.gain
         };
         if less(0.0, weight) {
-            let (x, y) = if shape.steep { (minor, major) } else { (major, minor) };
+            let (x, y) = if shape.steep {
+                (minor, major)
+            } else {
+                (major, minor)
+            };
             add_light(light, x, y, color, weight);
         }
     }
 }
 
 /// A disc at rest that covers at most the nine pixels around its centre's.
-fn draw_small_disc(
-    light: &LightSums,
-    center: (f32, f32),
-    reach: f32,
-    radius_px: f32,
-    color: Vec3,
-) {
+fn draw_small_disc(light: &LightSums, center: (f32, f32), reach: f32, radius_px: f32, color: Vec3) {
     let left = to_i32(center.0) - 1;
     let top = to_i32(center.1) - 1;
     let mut weights = [0.0; 9];

@@ -42,7 +42,7 @@ pub fn births(inputs: &FrameInputs) -> (Vec<u32>, Vec<u32>) {
         .collect();
     let mut offsets = vec![0];
     offsets.extend(counts.iter().scan(0u32, |sum, count| {
-        *sum += count;
+        *sum = sum.saturating_add(*count);
         Some(*sum)
     }));
     (counts, offsets)

@@ -1,0 +1,75 @@
+//! No file is written twice: what is told before a run, and not found out after it.
+
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use crate::cli::CliError;
+use crate::output::{OutputTarget, dump_path};
+
+/// Refuses outputs of which one would overwrite another, or would need its file as a folder.
+pub(super) fn refuse(
+    target: &OutputTarget,
+    frames: &Range<u32>,
+    stats: Option<&Path>,
+    dumps: &[u32],
+    dump_dir: &Path,
+) -> Result<(), CliError> {
+    // Pictures end in .png or .gif and dumps in .ply, so that only statistics can be among them.
+    let pictures = match stats {
+        Some(stats) => picture_like(target, frames, stats),
+        None => picture(target, frames.start),
+    };
+    let mut files = vec![("the pictures (-o)", pictures)];
+    files.extend(stats.map(|stats| ("the statistics (--stats)", stats.to_owned())));
+    let first_dump = files.len();
+    for &frame in dumps {
+        let path = dump_path(dump_dir, "particles", frame);
+        files.push(("a dump (--dump)", path));
+    }
+    let places: Vec<PathBuf> = files.iter().map(|(_, path)| place(path)).collect();
+    for one in 0..first_dump {
+        for other in one + 1..files.len() {
+            if places[one].starts_with(&places[other]) || places[other].starts_with(&places[one]) {
+                let ((what, path), (other_what, other_path)) = (&files[one], &files[other]);
+                return Err(CliError::usage(
+                    format!(
+                        "{what} and {other_what} would be written to the same place: {} and {}",
+                        path.display(),
+                        other_path.display()
+                    ),
+                    "give each output a path of its own",
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The file of the pictures that is also `stats`; that of the first frame if none is.
+fn picture_like(target: &OutputTarget, frames: &Range<u32>, stats: &Path) -> PathBuf {
+    let stats_place = place(stats);
+    frames
+        .clone()
+        .map(|frame| picture(target, frame))
+        // Names first: looking up a place asks the file system.
+        .find(|path| path.file_name() == stats.file_name() && place(path) == stats_place)
+        .unwrap_or_else(|| picture(target, frames.start))
+}
+
+fn picture(target: &OutputTarget, frame: u32) -> PathBuf {
+    match target {
+        OutputTarget::Folder(folder) => folder.join(format!("frame-{frame:04}.png")),
+        OutputTarget::Pattern(pattern) => pattern.path(frame),
+        OutputTarget::Png(path) | OutputTarget::Gif(path) => path.clone(),
+    }
+}
+
+/// The path from the root, without links and dots in as much of it as there is already.
+fn place(path: &Path) -> PathBuf {
+    let whole = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    let resolved = whole.ancestors().find_map(|folder| {
+        let real = folder.canonicalize().ok()?;
+        Some(real.join(whole.strip_prefix(folder).ok()?))
+    });
+    resolved.unwrap_or(whole)
+}

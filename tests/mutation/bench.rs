@@ -1,0 +1,199 @@
+//! Where changed kernels are tried: the files that changes are made to, and runs under way.
+
+use std::collections::BTreeSet;
+
+use motes::gpu::shader::sources::{KERNELS, LIBRARIES};
+use motes::gpu::shader::{self, CompileOptions, CompiledKernel, ShaderError};
+use motes::gpu::{GpuBackend, GpuDevice, KernelForm, STAGE_KERNELS};
+
+use crate::budget::bound_loops;
+use crate::common::*;
+use crate::sites::{self, Site};
+use crate::trials::Trial;
+
+/// Rounds that the loops of a function make at most in one invocation.
+const MOST_ROUNDS: u32 = 20_000;
+
+/// Changes after which the device is opened anew: drivers keep something of every kernel.
+const MOST_CHANGES: u32 = 60;
+
+/// A WGSL file that changes are made to: a kernel's own, or a library that no probe evaluates; a
+/// change to a library changes every kernel that has the changed code.
+pub(crate) struct File {
+    pub(crate) name: &'static str,
+    /// Kernels that have code of the file, and the changes to it there.
+    kernels: Vec<(&'static str, Vec<Site>)>,
+}
+
+/// All such files.
+pub(crate) fn files() -> Vec<File> {
+    let names = || KERNELS.iter().map(|source| source.name);
+    let is_probed = |path: &str| PROBES.iter().any(|probe| probe.libraries.contains(&path));
+    let own = names().map(|name| File {
+        name,
+        kernels: vec![(name, sites_in(name, None))],
+    });
+    let libraries = LIBRARIES.iter().filter_map(|source| {
+        let path = source.name.replace("lib/", "motes::");
+        (!is_probed(&path)).then(|| File {
+            name: source.name,
+            kernels: names()
+                .map(|name| (name, sites_in(name, Some(&path))))
+                .filter(|(_, sites)| !sites.is_empty())
+                .collect(),
+        })
+    });
+    // lib/layout declares what others compute with.
+    own.chain(libraries)
+        .filter(|file| !file.kernels.is_empty())
+        .collect()
+}
+
+fn sites_in(kernel: &str, library: Option<&str>) -> Vec<Site> {
+    sites::of_kernel(&|options| shader::compile(kernel, options), &|of| {
+        of == library
+    })
+}
+
+impl File {
+    /// Changes of the file, each once, as the first kernel that has it would be changed.
+    pub(crate) fn sites(&self) -> Vec<Site> {
+        let mut seen = BTreeSet::new();
+        let all = self.kernels.iter().flat_map(|(_, sites)| sites);
+        all.filter(|site| seen.insert(site.key()))
+            .cloned()
+            .collect()
+    }
+
+    /// The change in each kernel that has the code, at its own place there.
+    fn changed(&self, site: Option<&Site>) -> Vec<(&'static str, Option<&Site>)> {
+        let Some(site) = site else {
+            return self
+                .kernels
+                .iter()
+                .map(|(kernel, _)| (*kernel, None))
+                .collect();
+        };
+        let in_kernel = |(kernel, sites): &'_ (&'static str, Vec<Site>)| {
+            let at = sites.iter().position(|one| one.key() == site.key())?;
+            Some((*kernel, at))
+        };
+        self.kernels
+            .iter()
+            .filter_map(|one| in_kernel(one).map(|(kernel, at)| (kernel, Some(&one.1[at]))))
+            .collect()
+    }
+}
+
+/// Runs of all trials, begun when they are first needed.
+pub(crate) struct Bench<'a> {
+    trials: &'a [Trial],
+    runs: Vec<Option<Run>>,
+    device: Option<GpuDevice>,
+    changes: u32,
+}
+
+/// A run and the kernels of it that are changed.
+struct Run {
+    backend: GpuBackend,
+    changed: BTreeSet<&'static str>,
+}
+
+impl<'a> Bench<'a> {
+    pub(crate) fn new(trials: &'a [Trial]) -> Self {
+        Self {
+            trials,
+            runs: trials.iter().map(|_| None).collect(),
+            device: None,
+            changes: 0,
+        }
+    }
+
+    /// How the first trial that sees the change (or no change but the bound on loops) sees it;
+    /// `None` where none does.
+    ///
+    /// # Errors
+    /// The change makes no valid kernel.
+    pub(crate) fn difference(
+        &mut self,
+        file: &File,
+        site: Option<&Site>,
+    ) -> Result<Option<String>, ShaderError> {
+        if self.changes >= MOST_CHANGES {
+            *self = Self::new(self.trials);
+        }
+        self.changes += 1;
+        let changed = file.changed(site);
+        // On the first adapter of those to test.
+        let device = self.device.get_or_insert_with(|| open_anew(&adapters()[0]));
+        for (trial, run) in self.trials.iter().zip(&mut self.runs) {
+            let size = trial.workgroup_size();
+            let kernels: Vec<_> = changed
+                .iter()
+                .map(|(kernel, site)| compile(kernel, size, *site))
+                .collect::<Result<_, _>>()?;
+            let run = run.get_or_insert_with(|| Run {
+                backend: trial.backend(device),
+                changed: BTreeSet::new(),
+            });
+            if let Some(difference) = run.difference(trial, &changed, &kernels)? {
+                return Ok(Some(format!("{}: {difference}", trial.name)));
+            }
+        }
+        Ok(None)
+    }
+}
+
+impl Run {
+    fn difference(
+        &mut self,
+        trial: &Trial,
+        changed: &[(&'static str, Option<&Site>)],
+        kernels: &[CompiledKernel],
+    ) -> Result<Option<String>, ShaderError> {
+        let names: BTreeSet<_> = changed.iter().map(|(kernel, _)| *kernel).collect();
+        let restored: Vec<_> = self
+            .changed
+            .difference(&names)
+            .map(|kernel| compile(kernel, trial.workgroup_size(), None))
+            .collect::<Result<_, _>>()?;
+        self.changed = names;
+        for kernel in restored.iter().chain(kernels) {
+            if let Err(e) = self.backend.restart(kernel, KernelForm::Spirv, true) {
+                return Ok(Some(format!("restart: {e}")));
+            }
+        }
+        Ok(trial.difference(&mut self.backend))
+    }
+}
+
+/// The kernel, changed or not, with checked indices and bounded loops.
+fn compile(
+    kernel: &str,
+    workgroup_size: u32,
+    site: Option<&Site>,
+) -> Result<CompiledKernel, ShaderError> {
+    let mutate = |module: &mut naga::Module| {
+        if let Some(site) = site {
+            site.apply(module);
+        }
+        bound_loops(module, MOST_ROUNDS);
+    };
+    shader::compile(
+        kernel,
+        &CompileOptions {
+            workgroup_size,
+            checked: true,
+            mutate: Some(&mutate),
+            ..CompileOptions::default()
+        },
+    )
+}
+
+/// Kernels that are tried must be those that run, and the digest.
+#[test]
+fn every_kernel_is_run_by_the_trials() {
+    let of_stages = STAGE_KERNELS.iter().map(|one| one.kernel);
+    let run: BTreeSet<_> = of_stages.chain(["digest/digest"]).collect();
+    assert_eq!(run, KERNELS.iter().map(|source| source.name).collect());
+}
