@@ -140,28 +140,26 @@ impl Recording {
     /// # Errors
     /// The first change that the scene refuses, or that alters what holds for a whole run.
     pub fn turns(&self, scene: &str, sets: &[String]) -> Result<Vec<Turn>, RefusedChange> {
+        let refused = |change: &Change, error: &dyn std::fmt::Display| RefusedChange {
+            change: change.clone(),
+            message: error.to_string(),
+        };
+        let load = |change, sets: &[String]| {
+            scene::load_with(scene, sets).map_err(|error| refused(change, &error))
+        };
         let mut sets = sets.to_vec();
         let mut turns: Vec<Turn> = Vec::new();
-        let mut begun_with = None;
+        let Some(first) = self.changes.first() else {
+            return Ok(turns);
+        };
+        let unchanged = load(first, &sets)?;
         for change in &self.changes {
-            let refused = |message| RefusedChange {
-                change: change.clone(),
-                message,
-            };
-            let load = |sets: &[String]| {
-                scene::load_with(scene, sets).map_err(|error| refused(error.to_string()))
-            };
-            let base = match begun_with.take() {
-                Some(base) => base,
-                None => load(&sets)?,
-            };
             sets.push(change.set.clone());
             let turn = Turn {
                 frame: change.frame,
-                scene: load(&sets)?,
+                scene: load(change, &sets)?,
             };
-            plan::check_turn(&base, &turn).map_err(|error| refused(error.to_string()))?;
-            begun_with = Some(base);
+            plan::check_turn(&unchanged, &turn).map_err(|error| refused(change, &error))?;
             match turns.last_mut() {
                 Some(last) if last.frame == turn.frame => *last = turn,
                 _ => turns.push(turn),
@@ -196,7 +194,7 @@ impl Checkpoint {
                 .map(str::trim)
                 .map(str::to_owned)
                 .ok_or_else(|| RecordingError {
-                    message: format!("{file}:{at}: a checkpoint has `{name} …` here, not `{line}`"),
+                    message: format!("{file}:{at}: a checkpoint has `{name}…` here, not `{line}`"),
                 })
         };
         let (scene, seed, frame) = (field(1, "scene ")?, field(2, "seed ")?, field(3, "frame ")?);

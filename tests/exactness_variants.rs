@@ -101,7 +101,37 @@ fn pages_change_nothing() {
         ..GpuOptions::default()
     };
     // The last stands for as much as the adapter binds.
-    assert_same([SMALL_PAGE, 1 << 20, 0].map(of));
+    assert_same([SMALL_PAGE, 0].map(of));
+}
+
+#[test]
+fn pages_of_a_mebibyte_change_nothing() {
+    const PAGE: u32 = 1 << 20;
+    let options = GpuOptions {
+        page_bytes: PAGE.into(),
+        ..GpuOptions::default()
+    };
+    let device = common::open(&common::adapters()[0]);
+    let on_gpu = |plan: &Plan, frames| run(plan, frames, common::on_gpu(&device, plan, &options));
+
+    // Room for three pages: capacity changes no bits.
+    let (tight, expected) = everything();
+    let scene = Scene {
+        capacity: Some(70_000),
+        ..common::everything()
+    };
+    let roomy = Plan::new(&scene, scene.frames).expect("the scene can be planned");
+    assert!(tight.capacity < PAGE / 32 && roomy.capacity > 2 * PAGE / 32);
+    assert_eq!(on_gpu(&roomy, scene.frames), expected);
+
+    // Particles in two pages.
+    let mut crowd = crowd();
+    crowd.systems[0].births.initial_mean_parts = 18_000.0;
+    let plan = Plan::new(&crowd, crowd.frames).expect("the scene can be planned");
+    let expected = run(&plan, crowd.frames, cpu(&plan, None));
+    let most = expected.iter().map(|(lines, ..)| lines[0].live).max();
+    assert!(most > Some(PAGE / 32), "{most:?} particles");
+    assert_eq!(on_gpu(&plan, crowd.frames), expected);
 }
 
 #[test]

@@ -4,7 +4,7 @@ mod common;
 
 use motes::gpu::GpuOptions;
 use motes::plan::{Plan, Turn};
-use motes::recording::Recording;
+use motes::recording::{Checkpoint, Recording};
 use motes::scene::{self, Scene};
 use motes::simulation::{AdapterChoice, Options, ParticleState, Simulation};
 
@@ -156,6 +156,38 @@ fn recordings_are_read_and_written_line_by_line() {
     ] {
         let error = Recording::parse(text, "knobs.txt").expect_err("a bad line");
         assert!(error.to_string().contains(place), "{error}");
+    }
+}
+
+#[test]
+fn changes_and_errors_of_a_checkpoint_know_their_lines() {
+    let text = "scene fountain\nseed 1\nframe 9\n# faster\n3 a=1\n9 b=2\n";
+    let checkpoint = Checkpoint::parse(text, "saved").expect("a good checkpoint");
+    let changes = &checkpoint.recording.changes;
+    let lines: Vec<_> = changes.iter().map(|change| change.line).collect();
+    assert_eq!(lines, [5, 6]);
+    let again = Checkpoint::parse(&checkpoint.to_text(), "again");
+    assert_eq!(again.as_ref(), Ok(&checkpoint));
+    for (text, place) in [
+        ("scene x\nsede 1", "saved:2: a checkpoint has `seed …` here"),
+        ("scene x\nseed 1\nframe y", "saved:3: `y` is not a whole"),
+        ("scene x\nseed 1\nframe 2\n3 speed", "saved:4: no `=`"),
+    ] {
+        let error = Checkpoint::parse(text, "saved").expect_err("a bad line");
+        assert!(error.to_string().contains(place), "{error}");
+    }
+}
+
+#[test]
+fn a_refused_change_is_told_with_its_line_and_the_reason() {
+    for (text, line, reason) in [
+        ("1 seed=1\n\n3 system.0.sped=1\n9 nonsense=1", 3, "`sped`"),
+        ("# wider\n2 image.width=64", 2, "at frame 2"),
+    ] {
+        let recording = Recording::parse(text, "knobs.txt").expect("lines of the right form");
+        let refused = recording.turns("fountain", &[]).expect_err("refused");
+        assert_eq!(refused.change.line, line, "{refused}");
+        assert!(refused.to_string().contains(reason), "{refused}");
     }
 }
 

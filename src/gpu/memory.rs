@@ -89,7 +89,9 @@ impl Memory {
             check_available(plan)?;
         }
         let limits = gpu.device.limits();
-        let most_binding = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
+        let most_binding = limits
+            .max_storage_buffer_binding_size
+            .min(limits.max_buffer_size);
         let paging = Paging::new(plan.capacity, most_page_bytes.min(most_binding));
         if paging.dispatches() > MOST_DISPATCHES {
             return Err(BackendError::Unsupported(format!(

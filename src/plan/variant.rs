@@ -7,8 +7,8 @@ use crate::exact::{cross3, dot3, normalize_exact, snap};
 use crate::layout::{self, Frame, SystemFrame, SystemRow};
 use crate::rng::pcg4d;
 use crate::scene::{
-    BirthRounding, BirthUnit, Births, Camera, GenerationShape, Image, ParticleShape, Scene, StreakLight,
-    System,
+    BirthRounding, BirthUnit, Births, Camera, GenerationShape, Image, ParticleShape, Scene,
+    StreakLight, System,
 };
 use crate::transcendental::{cos_turns, sin_turns};
 

@@ -228,6 +228,38 @@ fn a_dump_outside_the_frames_is_refused_before_the_run() {
 }
 
 #[test]
+fn outputs_that_would_overwrite_each_other_are_refused_before_the_run() {
+    let here = Workplace::new();
+    std::fs::create_dir(here.path("folder")).expect("a temporary folder can be written");
+    let collisions = [
+        ("x.png", "x.png", "x.png"),
+        ("x.gif", "./folder/../x.gif", "x.gif"),
+        ("x", "x/frame-0005.png", "x/frame-0005.png"),
+        ("x-%d.png", "x-5.png", "x-5.png"),
+        // The statistics' file would have to be the pictures' folder.
+        ("x", "x", "x/frame-0005.png"),
+    ];
+    for (out, stats, said) in collisions {
+        render_refused(
+            &here,
+            &["-o", out, "--stats", stats, "--frame", "5"],
+            &["(-o)", "(--stats)", said, "path of its own"],
+        );
+    }
+    let dump = ["-o", "x.gif", "--dump", "5", "--dump-dir", "d", "--stats"];
+    for stats in ["d/particles-0005.ply", "d"] {
+        render_refused(
+            &here,
+            &[&dump[..], &[stats]].concat(),
+            &["(--stats)", "(--dump)", "d/particles-0005.ply"],
+        );
+    }
+    // Beside each other there is room, under the name of a frame that is not drawn, too.
+    here.render(&["-o", "x", "--frame", "5", "--stats", "x/frame-0004.png"]);
+    assert!(here.path("x/frame-0004.png").is_file());
+}
+
+#[test]
 fn a_wrong_recording_is_answered_with_file_and_line() {
     let here = Workplace::new();
     let wrong_recordings: &[(&str, &[&str])] = &[
@@ -245,8 +277,12 @@ fn a_wrong_recording_is_answered_with_file_and_line() {
             &["changes.txt:2", "before"],
         ),
         (
-            "2 system.0.sped=0.2\n",
-            &["changes.txt", "`sped`", "system.0.sped=0.2", "`speed`"],
+            "# slower\n2 system.0.sped=0.2\n",
+            &["changes.txt:2: ", "`sped`", "system.0.sped=0.2", "`speed`"],
+        ),
+        (
+            "2 system.0.speed=0.2\n3 image.width=48\n",
+            &["changes.txt:2: ", "at frame 3", "image size"],
         ),
     ];
     for (text, said) in wrong_recordings {

@@ -128,6 +128,51 @@ fn one_frame_alone_is_the_frame_of_the_whole_run() {
     }
 }
 
+/// A burst takes all the room until its particles die, and the steady stream's are dropped.
+const CROWDED: &str = r#"
+frames = 31
+capacity = 1000
+image = { width = 32, height = 18 }
+camera = { position = [0, 0, 5], target = [0, 0, 0] }
+
+[[system]]
+name = "burst"
+initial_mean_parts = 1000
+end_frame = 1
+generation_shape = { kind = "sphere", radius = 0.5 }
+speed = 0.02
+lifetime = 20
+color = [0.1, 0.1, 0.1]
+size = 0.05
+
+[[system]]
+name = "steady"
+initial_mean_parts = 10
+generation_shape = { kind = "sphere", radius = 0.5 }
+speed = 0.02
+lifetime = 20
+color = [0.3, 0.2, 0.1]
+size = 0.05
+"#;
+
+#[test]
+fn one_frame_alone_knows_of_births_dropped_long_before() {
+    let here = Workplace::new();
+    here.write("sparks.toml", CROWDED);
+    here.render(&["-o", "all", "--stats", "all.csv"]);
+    let all = rows_of(&here, "all.csv");
+    assert_eq!(row(&all, 5, "particles")[7], "10", "births are dropped");
+    for frame in [25, 30] {
+        let number = frame.to_string();
+        here.render(&["-o", "one.png", "--frame", &number, "--stats", "one.csv"]);
+        assert_eq!(here.read("one.png"), here.read(&frame_name(frame)));
+        let one = rows_of(&here, "one.csv");
+        for population in ["particles", "image"] {
+            assert_eq!(row(&one, frame, population), row(&all, frame, population));
+        }
+    }
+}
+
 #[test]
 fn statistics_balance_and_name_every_frame() {
     let here = Workplace::new();

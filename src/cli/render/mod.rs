@@ -112,7 +112,13 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
         Some(out) => OutputTarget::parse(out)?,
         None => OutputTarget::Folder(folder),
     };
-    collisions::refuse(&target, &frames, args.stats.as_deref(), &args.dump, &dump_dir)?;
+    collisions::refuse(
+        &target,
+        &frames,
+        args.stats.as_deref(),
+        &args.dump,
+        &dump_dir,
+    )?;
     let turns = match &args.inputs {
         Some(path) => {
             let turns = recording_of(path)?.turns(&args.scene, &sets);
