@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use motes::gpu::shader::sources::{KERNELS, LIBRARIES};
+use motes::gpu::shader::sources::{KERNELS, LIBRARIES, YARDSTICKS};
 use motes::gpu::shader::{self, Access, CompileOptions, CompiledKernel, Step, compile_source};
 
 /// A kernel whose line 6 is `line` and whose line 7 stores `stored`.
@@ -156,7 +156,12 @@ fn every_wgsl_file_is_listed_once() {
     let root = root.to_string_lossy().replace('\\', "/") + "/";
     let mut found: Vec<_> = found.iter().map(|f| f.replacen(&root, "", 1)).collect();
     found.sort();
-    let mut listed: Vec<_> = KERNELS.iter().chain(LIBRARIES).map(|s| s.file).collect();
+    let mut listed: Vec<_> = KERNELS
+        .iter()
+        .chain(YARDSTICKS)
+        .chain(LIBRARIES)
+        .map(|s| s.file)
+        .collect();
     listed.sort_unstable();
     assert_eq!(found, listed);
 
@@ -172,7 +177,7 @@ fn every_wgsl_file_is_listed_once() {
 
 #[test]
 fn every_kernel_compiles_at_every_size_and_is_decorated() {
-    for kernel in KERNELS {
+    for kernel in KERNELS.iter().chain(YARDSTICKS) {
         for workgroup_size in [64, 128, 256] {
             for checked in [false, true] {
                 for off in [&[][..], &["THRESHOLDS", "STREAKS", "RECTANGLES"]] {

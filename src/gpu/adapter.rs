@@ -97,7 +97,8 @@ pub fn adapters() -> Vec<AdapterDescription> {
 /// # Errors
 /// The driver refuses to open the device.
 pub fn open(name: &str) -> Result<Option<GpuDevice>, BackendError> {
-    let wanted = name.to_lowercase();
+    // The driver is called lavapipe, and names its adapter after the older half of it.
+    let wanted = name.to_lowercase().replace("lavapipe", "llvmpipe");
     let found = usable(&instance()).into_iter().find(|adapter| {
         let info = adapter.get_info();
         format!("{} {}", info.name, info.driver)

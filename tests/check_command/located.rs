@@ -167,8 +167,8 @@ fn a_defect_of_splat_is_found_there() {
         ("splat", "light_low", 0)
     );
     let (x, y) = place.element.pixel.expect("it is a picture");
-    assert!(x < 160 && y < 90);
-    assert_eq!(place.element.record, (y * 160 + x) as usize);
+    assert!(x < 161 && y < 91);
+    assert_eq!(place.element.record, (y * 161 + x) as usize);
     assert_eq!(
         place.element.field,
         ["red", "green", "blue"][place.element.word % 3]

@@ -13,8 +13,8 @@ frames = 16
 seed = 77
 
 [image]
-width = 160
-height = 90
+width = 161
+height = 91
 background = [0.02, 0.3, 0.11]
 shutter = 0.7
 
