@@ -17,6 +17,8 @@ static EXPLAINED: &[Explanation] = &[
     ("systems/offsets", "offsets: (end > first_birth) -> GreaterEqual", "where they are equal, their difference is the 0 that was selected"),
     ("systems/offsets", "offsets: (end > start) -> GreaterEqual", "where they are equal, their difference is the 0 that was selected"),
     ("particles/cull", "const THRESHOLDS: Bool(true) -> Bool(false)", "folded into its use before the change"),
+    ("particles/cull", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: 268 million particles a page"),
+    ("particles/cull", "cull: (first >= page_end) -> Greater", "one word more, of no particles: 0 bits that nothing reads"),
     ("particles/cull", "survives: 0.0f -> -1.0f", "no threshold is -1, and no intensity is below it either"),
     ("*", "acceleration_at: 1u -> 0u in (frame.system_count == 1u)", "only the short cut of a lone system is lost"),
     ("*", "system_at: 1u -> 0u in (frame.system_count == 1u)", "only the short cut of a lone system is lost"),

@@ -119,16 +119,22 @@ fn r74_what_is_off_screen_lives_on() {
     });
 }
 
+/// The system of the scene that bears hundreds a frame.
+fn dust(scene: &Scene) -> motes::scene::System {
+    let named = |system: &&motes::scene::System| system.name == "dust";
+    scene
+        .systems
+        .iter()
+        .find(named)
+        .expect("a system of that name")
+        .clone()
+}
+
 #[test]
 fn r75_another_system_changes_nobody() {
     let scene = everything();
     let mut more = everything();
-    let newcomer = Scene {
-        seed: 5,
-        ..everything()
-    }
-    .systems[8]
-        .clone();
+    let newcomer = dust(&scene);
     more.systems.insert(
         0,
         motes::scene::System {
@@ -162,9 +168,9 @@ fn r75_the_key_is_seed_system_birth_frame_and_index() {
     let mut scene = everything();
     let twin = motes::scene::System {
         name: "twin".into(),
-        ..scene.systems[8].clone()
+        ..dust(&scene)
     };
-    scene.systems = vec![scene.systems[8].clone(), twin];
+    scene.systems = vec![dust(&scene), twin];
     let other = Scene {
         seed: scene.seed + (1 << 32),
         ..scene.clone()
