@@ -42,16 +42,16 @@ size = 0.05
 const FRAMES: u32 = 10;
 
 /// A folder of its own with `sparks.toml` in it, in which the program is run.
-struct Workplace {
+struct Workshop {
     folder: TempDir,
 }
 
-impl Workplace {
+impl Workshop {
     fn new() -> Self {
         let folder = tempfile::tempdir().expect("the machine has room for temporary files");
-        let workplace = Self { folder };
-        workplace.write("sparks.toml", SPARKS);
-        workplace
+        let workshop = Self { folder };
+        workshop.write("sparks.toml", SPARKS);
+        workshop
     }
 
     fn path(&self, name: &str) -> PathBuf {

@@ -1,6 +1,6 @@
 //! What the README shows is what the program does: its scene, its commands, its digests, its error.
 
-use crate::Workplace;
+use crate::Workshop;
 
 const README: &str = include_str!("../../README.md");
 
@@ -14,7 +14,7 @@ fn scene() -> &'static str {
 
 #[test]
 fn the_readmes_scene_has_the_readmes_digests() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     here.write("sparks.toml", scene());
     // The table shows frame 90, the check the last one, 95.
     here.render(&["-o", "all", "--frames", "90..96", "--stats", "s.csv"]);
@@ -45,7 +45,7 @@ fn the_readmes_scene_has_the_readmes_digests() {
 
 #[test]
 fn the_readmes_error_is_the_programs() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     here.write("sparks.toml", scene());
     let ended = here.run(&["render", "sparks.toml", "--set", "system.sparks.sped=0.2"]);
     assert_eq!(ended.code, 2);
@@ -63,7 +63,7 @@ fn the_readmes_error_is_the_programs() {
 
 #[test]
 fn the_readmes_commands_work() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     let commands: Vec<_> = README
         .lines()
         .filter_map(|line| line.strip_prefix("    motes render fountain"))

@@ -1,18 +1,13 @@
 //! Wrong scenes and wrong command lines: the exit code says whose fault it is, the message names the
 //! place and what would be right, and nothing is left behind.
 
-use crate::{Ended, Workplace};
+use crate::{Ended, Workshop};
 
 /// Runs the program, which must end with `code`, say all of `said` on standard error, print nothing,
 /// and leave the folder's files as they were.
-pub(crate) fn refused(
-    workplace: &Workplace,
-    arguments: &[&str],
-    code: i32,
-    said: &[&str],
-) -> Ended {
-    let before = workplace.files();
-    let ended = workplace.run(arguments);
+pub(crate) fn refused(workshop: &Workshop, arguments: &[&str], code: i32, said: &[&str]) -> Ended {
+    let before = workshop.files();
+    let ended = workshop.run(arguments);
     let told = format!("motes {}\n{}", arguments.join(" "), ended.stderr);
     assert_eq!(ended.code, code, "{told}");
     assert!(
@@ -26,19 +21,19 @@ pub(crate) fn refused(
         );
     }
     assert_eq!(ended.stdout, "", "{told}");
-    assert_eq!(workplace.files(), before, "{told}");
+    assert_eq!(workshop.files(), before, "{told}");
     ended
 }
 
 /// As [`refused`], rendering `sparks.toml` on the processor; the input is at fault.
-pub(crate) fn render_refused(workplace: &Workplace, arguments: &[&str], said: &[&str]) {
+pub(crate) fn render_refused(workshop: &Workshop, arguments: &[&str], said: &[&str]) {
     let all = [&["render", "sparks.toml", "--adapter", "cpu"], arguments].concat();
-    refused(workplace, &all, 2, said);
+    refused(workshop, &all, 2, said);
 }
 
 #[test]
 fn an_unknown_scene_is_answered_with_the_nearest_name() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     refused(
         &here,
         &["render", "firework"],
@@ -67,7 +62,7 @@ fn an_unknown_scene_is_answered_with_the_nearest_name() {
 
 #[test]
 fn a_wrong_scene_file_is_answered_with_file_line_and_column() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     let wrong_files: &[(&str, &[&str])] = &[
         (
             "title = \"x\"\nframes = = 3\n",
@@ -108,7 +103,7 @@ fn a_wrong_scene_file_is_answered_with_file_line_and_column() {
 
 #[test]
 fn wrong_arguments_are_named_with_what_would_be_right() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     render_refused(&here, &["--wobble"], &["'--wobble'"]);
     render_refused(&here, &["--sizes", "3x3"], &["'--sizes'", "'--size'"]);
     for frames in [
@@ -153,7 +148,7 @@ fn wrong_arguments_are_named_with_what_would_be_right() {
 
 #[test]
 fn a_wrong_set_is_shown_with_its_place() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     render_refused(
         &here,
         &["--set", "camera.vertical_fov=3"],
@@ -171,7 +166,7 @@ fn a_wrong_set_is_shown_with_its_place() {
 
 #[test]
 fn an_unknown_adapter_is_answered_with_those_there_are() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     let arguments = [
         "render",
         "sparks.toml",
@@ -193,7 +188,7 @@ fn an_unknown_adapter_is_answered_with_those_there_are() {
 
 #[test]
 fn an_output_that_cannot_be_is_refused_before_the_run() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     for ending in ["mp4", "exr", "svg"] {
         let out = format!("a.{ending}");
         render_refused(
@@ -217,7 +212,7 @@ fn an_output_that_cannot_be_is_refused_before_the_run() {
 
 #[test]
 fn a_dump_outside_the_frames_is_refused_before_the_run() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     render_refused(&here, &["--dump", "10"], &["frame 10", "0..10", "--frames"]);
     render_refused(
         &here,
@@ -229,7 +224,7 @@ fn a_dump_outside_the_frames_is_refused_before_the_run() {
 
 #[test]
 fn outputs_that_would_overwrite_each_other_are_refused_before_the_run() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     std::fs::create_dir(here.path("folder")).expect("a temporary folder can be written");
     let collisions = [
         ("x.png", "x.png", "x.png"),
@@ -261,7 +256,7 @@ fn outputs_that_would_overwrite_each_other_are_refused_before_the_run() {
 
 #[test]
 fn a_wrong_recording_is_answered_with_file_and_line() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     let wrong_recordings: &[(&str, &[&str])] = &[
         (
             "# a comment\n\n2 system.0.speed=0.2\nnonsense\n",

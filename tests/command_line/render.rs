@@ -3,10 +3,10 @@
 use std::fs::File;
 use std::io::BufReader;
 
-use crate::{FRAMES, Workplace};
+use crate::{FRAMES, Workshop};
 
 /// Width, height and RGB or RGBA bytes of a PNG.
-fn png_of(here: &Workplace, name: &str) -> (u32, u32, Vec<u8>) {
+fn png_of(here: &Workshop, name: &str) -> (u32, u32, Vec<u8>) {
     let file = File::open(here.path(name)).expect("the picture was written");
     let mut reader = png::Decoder::new(BufReader::new(file))
         .read_info()
@@ -18,7 +18,7 @@ fn png_of(here: &Workplace, name: &str) -> (u32, u32, Vec<u8>) {
 }
 
 /// Rows of a CSV file as cells; the header first.
-fn rows_of(here: &Workplace, name: &str) -> Vec<Vec<String>> {
+fn rows_of(here: &Workshop, name: &str) -> Vec<Vec<String>> {
     let text = String::from_utf8(here.read(name)).expect("statistics are text");
     text.lines()
         .map(|line| line.split(',').map(str::to_owned).collect())
@@ -39,7 +39,7 @@ fn frame_name(frame: u32) -> String {
 
 #[test]
 fn a_folder_gets_a_png_a_frame_and_nothing_else() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     here.render(&["-o", "all"]);
     let mut expected: Vec<_> = (0..FRAMES).map(frame_name).collect();
     expected.push("sparks.toml".into());
@@ -60,7 +60,7 @@ fn a_folder_gets_a_png_a_frame_and_nothing_else() {
 
 #[test]
 fn without_an_output_the_pictures_lie_under_out_and_the_scenes_name() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     here.render(&["--frames", "3..5"]);
     let expected = [
         "out/sparks/frame-0003.png",
@@ -72,7 +72,7 @@ fn without_an_output_the_pictures_lie_under_out_and_the_scenes_name() {
 
 #[test]
 fn a_pattern_names_the_frames() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     let ended = here.render(&["-o", "new/s-%02d.png", "--frames", "8..10"]);
     assert!(
         ended.stderr.ends_with("motes: wrote new/s-%02d.png\n"),
@@ -87,7 +87,7 @@ fn a_pattern_names_the_frames() {
 
 #[test]
 fn a_gif_holds_every_frame_at_the_scenes_rate() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     here.render(&["-o", "a.gif"]);
     let file = File::open(here.path("a.gif")).expect("the animation was written");
     let mut reader = gif::DecodeOptions::new()
@@ -109,7 +109,7 @@ fn a_gif_holds_every_frame_at_the_scenes_rate() {
 
 #[test]
 fn one_frame_alone_is_the_frame_of_the_whole_run() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     here.render(&["-o", "all", "--stats", "all.csv"]);
     let all = rows_of(&here, "all.csv");
     for frame in 0..FRAMES {
@@ -157,7 +157,7 @@ size = 0.05
 
 #[test]
 fn one_frame_alone_knows_of_births_dropped_long_before() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     here.write("sparks.toml", CROWDED);
     here.render(&["-o", "all", "--stats", "all.csv"]);
     let all = rows_of(&here, "all.csv");
@@ -175,7 +175,7 @@ fn one_frame_alone_knows_of_births_dropped_long_before() {
 
 #[test]
 fn statistics_balance_and_name_every_frame() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     here.render(&["-o", "a.gif", "--stats", "a.csv"]);
     let rows = rows_of(&here, "a.csv");
     assert_eq!(
@@ -210,7 +210,7 @@ fn statistics_balance_and_name_every_frame() {
 
 #[test]
 fn dumps_hold_the_living_of_their_frame() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     let arguments = [
         "-o",
         "a.gif",
@@ -250,7 +250,7 @@ fn dumps_hold_the_living_of_their_frame() {
 
 #[test]
 fn size_seed_and_set_change_the_scene_and_inputs_change_it_from_their_frame_on() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     here.render(&["-o", "all"]);
     let of = |more: &[&str]| {
         here.render(&[&["-o", "one.png", "--frame", "5"], more].concat());

@@ -2,11 +2,11 @@
 
 use std::fs::OpenOptions;
 
-use crate::{Ended, Workplace};
+use crate::{Ended, Workshop};
 
 #[test]
 fn render_tells_on_standard_error_where_it_ran_and_what_it_wrote() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     let ended = here.render(&["-o", "a.gif"]);
     assert_eq!(ended.stdout, "");
     let lines: Vec<_> = ended.stderr.lines().collect();
@@ -22,7 +22,7 @@ fn render_tells_on_standard_error_where_it_ran_and_what_it_wrote() {
 
 #[test]
 fn without_a_vulkan_driver_auto_takes_the_processor_and_says_so() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     let driverless = |arguments: &[&str]| {
         let mut command = here.command(arguments);
         for variable in ["VK_DRIVER_FILES", "VK_ICD_FILENAMES", "VK_ADD_DRIVER_FILES"] {
@@ -50,7 +50,7 @@ fn without_a_vulkan_driver_auto_takes_the_processor_and_says_so() {
 
 #[test]
 fn the_variable_means_the_same_as_the_argument_and_the_argument_wins() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     let with_variable = |value: &str, arguments: &[&str]| {
         Ended::of(here.command(arguments).env("MOTES_ADAPTER", value).output())
     };
@@ -63,7 +63,7 @@ fn the_variable_means_the_same_as_the_argument_and_the_argument_wins() {
 
 #[test]
 fn lists_go_to_standard_output_alone() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     let scenes = here.run(&["scenes"]);
     assert_eq!((scenes.code, scenes.stderr.as_str()), (0, ""));
     for name in ["fireworks", "fountain", "million"] {
@@ -96,7 +96,7 @@ fn lists_go_to_standard_output_alone() {
 
 #[test]
 fn help_and_version_go_to_standard_output_and_no_arguments_is_a_wrong_use() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     let version = here.run(&["--version"]);
     assert_eq!((version.code, version.stderr.as_str()), (0, ""));
     assert_eq!(
@@ -136,7 +136,7 @@ fn help_and_version_go_to_standard_output_and_no_arguments_is_a_wrong_use() {
 
 #[test]
 fn a_built_in_scene_can_be_shown_saved_and_rendered_from_the_file() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     let shown = here.run(&["scenes", "--show", "fountain"]);
     assert_eq!((shown.code, shown.stderr.as_str()), (0, ""));
     here.write("mine.toml", &shown.stdout);
@@ -151,7 +151,7 @@ fn a_built_in_scene_can_be_shown_saved_and_rendered_from_the_file() {
 #[cfg(target_os = "linux")]
 #[test]
 fn standard_output_that_cannot_be_written_is_told_with_exit_code_3() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     let full = OpenOptions::new()
         .write(true)
         .open("/dev/full")

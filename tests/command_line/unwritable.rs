@@ -1,14 +1,14 @@
 //! Runs that fail when they write: nothing half-written is left, and the machine's fault is told from
 //! the user's.
 
-use crate::Workplace;
+use crate::Workshop;
 #[cfg(target_os = "linux")]
 use crate::refused::refused;
 use crate::refused::render_refused;
 
 #[test]
 fn what_fails_on_the_way_leaves_nothing_half_written() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     // The dump's folder is a file, which is found out at frame 3.
     let dump = ["--dump", "3", "--dump-dir", "sparks.toml/dump"];
     let out = ["-o", "a.gif", "--stats", "s.csv"];
@@ -30,7 +30,7 @@ fn what_fails_on_the_way_leaves_nothing_half_written() {
 #[cfg(target_os = "linux")]
 #[test]
 fn a_machine_that_refuses_to_write_ends_in_exit_code_3() {
-    let here = Workplace::new();
+    let here = Workshop::new();
     let render = ["render", "sparks.toml", "--adapter", "cpu", "--frame", "0"];
     // The kernel's own tree takes no files, from nobody.
     let on = |more: &[&'static str]| [&render[..], more].concat();
