@@ -92,7 +92,7 @@ fn measure(adapter: &str, name: &str, frames: u32) -> Result<(), Box<dyn std::er
             }
         }
         steps.push(step);
-        copies.extend(device.copy_times(live, 256, 1)?);
+        copies.extend(device.yardstick_times("bench/copy", live, 256, 1)?);
     }
     let [_, copy_ms, _] = spread(copies.clone());
     println!(

@@ -3,6 +3,8 @@
 
 use bytemuck::{Pod, Zeroable};
 
+use crate::exact::shared_constants;
+
 /// Who a particle is and where it is: 32 bytes, in its system's space.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
@@ -53,8 +55,12 @@ impl Particle {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct SystemRow {
-    /// Extents of the generation shape (half-extents for the rectangle); w: cosine of the ejection angle.
+    /// Extents of the generation shape (half-extents where it is centred); w: inner radius of a
+    /// ring, slope of a cone.
     pub shape: [f32; 4],
+    /// Cosine of the ejection angle, the angle in turns; distance at which light is as the colour
+    /// says, 0 when that is everywhere; half-width of the size's rate.
+    pub ejection_and_light: [f32; 4],
     /// Speed mean and half-width, lifetime mean and half-width.
     pub speed_and_lifetime: [f32; 4],
     /// Size mean, half-width and rate; w: intensity threshold, negative when there is none.
@@ -65,63 +71,182 @@ pub struct SystemRow {
     pub color_var: [f32; 4],
     /// Rates a frame of red, green, blue and transparency.
     pub color_rate: [f32; 4],
-    /// Generation shape, particle shape, streak light (the constants below), and one unused word.
+    /// Half-widths of those rates.
+    pub color_rate_var: [f32; 4],
+    /// Generation shape, particle shape, streak light, flags (the constants below).
     pub kinds: [u32; 4],
 }
 
-/// [`SystemRow::kinds`]`[0]`: born in a ball.
-pub const SHAPE_SPHERE: u32 = 0;
-/// [`SystemRow::kinds`]`[0]`: born in a disc.
-pub const SHAPE_CIRCLE: u32 = 1;
-/// [`SystemRow::kinds`]`[0]`: born in a rectangle.
-pub const SHAPE_RECTANGLE: u32 = 2;
-/// [`SystemRow::kinds`]`[1]`: drawn as a disc.
-pub const PARTICLE_SPHERE: u32 = 0;
-/// [`SystemRow::kinds`]`[1]`: drawn as a square.
-pub const PARTICLE_RECTANGLE: u32 = 1;
-/// [`SystemRow::kinds`]`[1]`: drawn as a disc along its motion.
-pub const PARTICLE_STREAK: u32 = 2;
-/// [`SystemRow::kinds`]`[2]`: a streak's total light is that of the disc at rest.
-pub const STREAK_CONSERVED: u32 = 0;
-/// [`SystemRow::kinds`]`[2]`: a streak's covered pixels get the full colour.
-pub const STREAK_CONSTANT: u32 = 1;
+shared_constants! {
+    /// [`SystemRow::kinds`]`[0]`: born in a ball.
+    pub const SHAPE_SPHERE: u32 = 0;
+    /// Born in a disc.
+    pub const SHAPE_CIRCLE: u32 = 1;
+    /// Born in a rectangle.
+    pub const SHAPE_RECTANGLE: u32 = 2;
+    /// Born between two circles.
+    pub const SHAPE_RING: u32 = 3;
+    /// Born in a box.
+    pub const SHAPE_BOX: u32 = 4;
+    /// Born in a cone with its apex at the origin.
+    pub const SHAPE_CONE: u32 = 5;
+    /// Born on a piece of the x axis.
+    pub const SHAPE_LINE: u32 = 6;
+    /// Born on a stored curve.
+    pub const SHAPE_CURVE: u32 = 7;
+    /// [`SystemRow::kinds`]`[1]`: drawn as a disc.
+    pub const PARTICLE_SPHERE: u32 = 0;
+    /// Drawn as a square.
+    pub const PARTICLE_RECTANGLE: u32 = 1;
+    /// Drawn as a disc along its motion.
+    pub const PARTICLE_STREAK: u32 = 2;
+    /// [`SystemRow::kinds`]`[2]`: a streak's total light is that of the disc at rest.
+    pub const STREAK_CONSERVED: u32 = 0;
+    /// A streak's covered pixels get the full colour.
+    pub const STREAK_CONSTANT: u32 = 1;
+    /// [`SystemRow::kinds`]`[3]`: the cone of ejection opens outward, not up.
+    pub const ROW_OUTWARD: u32 = 1;
+    /// It opens around the z axis.
+    pub const ROW_AROUND: u32 = 2;
+    /// Angles are uniform in it, not solid angles.
+    pub const ROW_ANGLE_UNIFORM: u32 = 4;
+    /// Intensity is luminance, not the brightest channel.
+    pub const ROW_LUMINANCE: u32 = 8;
+    /// Births are spread over the frame.
+    pub const ROW_WITHIN_FRAME: u32 = 16;
+    /// [`SystemFrame::flags`]: births are floor(x + u) with u uniform, else floor(x + 1/2).
+    pub const SYSTEM_STOCHASTIC: u32 = 1;
+    /// Births are counted for each pixel of the screen area.
+    pub const SYSTEM_PER_AREA: u32 = 2;
+    /// Velocities are those halfway through a frame, so that particles are on parabolas.
+    pub const SYSTEM_PARABOLIC: u32 = 4;
+    /// [`Bound::kinds`]`[0]`: a plane.
+    pub const BOUND_PLANE: u32 = 0;
+    /// A sphere.
+    pub const BOUND_SPHERE: u32 = 1;
+    /// A box along the axes.
+    pub const BOUND_BOX: u32 = 2;
+    /// [`Wind::kinds`]`[0]`: the same everywhere.
+    pub const WIND_UNIFORM: u32 = 0;
+    /// Around an axis.
+    pub const WIND_VORTEX: u32 = 1;
+    /// Out of a point, or into it.
+    pub const WIND_SOURCE: u32 = 2;
+    /// Toward a point, from anywhere.
+    pub const WIND_ATTRACTOR: u32 = 3;
+    /// The gradient of a noise.
+    pub const WIND_NOISE: u32 = 4;
+    /// The product of two such gradients, which neither begins nor ends anywhere.
+    pub const WIND_CURL: u32 = 5;
+    /// [`Frame::flags`]: the view is orthographic.
+    pub const FRAME_ORTHOGRAPHIC: u32 = 1;
+    /// Late light counts more than early light.
+    pub const FRAME_EYE: u32 = 2;
+}
 
-/// What the processor knows of one system in one frame.
+/// What the processor knows of one system in one frame. Transforms are rows of 3 × 4 matrices.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct SystemFrame {
-    /// First row of the 3 × 4 transform to world space.
+    /// From the space of its particles to world space: first row.
     pub world_from_system_x: [f32; 4],
     /// Second row.
     pub world_from_system_y: [f32; 4],
     /// Third row.
     pub world_from_system_z: [f32; 4],
-    /// Added to velocities each frame, in the system's space; w unused.
+    /// The same when the shutter closes: first row.
+    pub closing_world_from_system_x: [f32; 4],
+    /// Second row.
+    pub closing_world_from_system_y: [f32; 4],
+    /// Third row.
+    pub closing_world_from_system_z: [f32; 4],
+    /// From the space of the generation shape to that of its particles, a frame ago: first row.
+    pub earlier_system_from_birth_x: [f32; 4],
+    /// Second row.
+    pub earlier_system_from_birth_y: [f32; 4],
+    /// Third row.
+    pub earlier_system_from_birth_z: [f32; 4],
+    /// The same now: first row.
+    pub system_from_birth_x: [f32; 4],
+    /// Second row.
+    pub system_from_birth_y: [f32; 4],
+    /// Third row.
+    pub system_from_birth_z: [f32; 4],
+    /// Added to velocities each frame, in the system's space; the part of the velocity against the
+    /// wind that drag takes each frame.
     pub acceleration: [f32; 4],
-    /// Mean births in this frame.
+    /// Mean births in this frame, or for each pixel of the screen area.
     pub mean_parts: f32,
     /// Half-width of the births around their mean.
     pub var_parts: f32,
     /// The system's key: hash of the seed and of its name.
     pub key: u32,
-    /// 1: births are floor(x + u) with u uniform; 0: floor(x + 1/2).
-    pub stochastic_rounding: u32,
+    /// `SYSTEM_` constants.
+    pub flags: u32,
+    /// The sphere whose projection is the screen area: centre in world space, radius.
+    pub bounding_sphere: [f32; 4],
+    /// Where its bounds stand among all.
+    pub first_bound: u32,
+    /// How many they are.
+    pub bound_count: u32,
+    /// Births all at once in this frame, besides the others.
+    pub burst_parts: f32,
+    /// Their half-width.
+    pub burst_var: f32,
 }
 
-/// What the processor knows of a whole frame.
+/// What ends particles that come where they should not be, in world space (Reeves 1983, 2.4).
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct Bound {
+    /// Plane: unit normal and distance along it. Sphere: centre and squared radius. Box: least corner.
+    pub place: [f32; 4],
+    /// Box: greatest corner.
+    pub extent: [f32; 4],
+    /// What it is (`BOUND_` constants); 1 if the outside kills, 0 if the inside does (of a plane,
+    /// what the normal points from).
+    pub kinds: [u32; 4],
+}
+
+/// One part of the wind, in world space and units a frame.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct Wind {
+    /// Kind (`WIND_` constants), octaves, key of the noise, and 1 if octaves count by their
+    /// absolute value.
+    pub kinds: [u32; 4],
+    /// A place, and the radius of what is around it; of a curl, a weight for each axis.
+    pub place: [f32; 4],
+    /// A velocity or an axis, and a strength.
+    pub aim: [f32; 4],
+    /// Noise cells a world unit along each axis; the factor from an octave to the next.
+    pub scale: [f32; 4],
+    /// Where the noise has moved to, in cells; w unused.
+    pub offset: [f32; 4],
+}
+
+/// What the processor knows of a whole frame. Transforms are rows of 3 × 4 matrices.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct Frame {
-    /// First row of the 3 × 4 transform to view space: right.
+    /// From world to view space: right.
     pub view_from_world_x: [f32; 4],
-    /// Second row: up.
+    /// Up.
     pub view_from_world_y: [f32; 4],
-    /// Third row: forward.
+    /// Forward.
     pub view_from_world_z: [f32; 4],
+    /// The same when the shutter closes: right.
+    pub closing_view_from_world_x: [f32; 4],
+    /// Up.
+    pub closing_view_from_world_y: [f32; 4],
+    /// Forward.
+    pub closing_view_from_world_z: [f32; 4],
     /// Colour behind everything; w unused.
     pub background: [f32; 4],
-    /// Pixels per unit of x/z.
+    /// Pixels per unit of x/z, or of x if the view is orthographic.
     pub focal_px: f32,
+    /// The same when the shutter closes.
+    pub closing_focal_px: f32,
     /// Principal point, pixels from the left edge.
     pub center_x_px: f32,
     /// Principal point, pixels from the top edge.
@@ -130,7 +255,9 @@ pub struct Frame {
     pub near: f32,
     /// Fraction of a frame that the shutter is open.
     pub shutter: f32,
-    /// Frame number, from 0.
+    /// Factor of all light.
+    pub exposure: f32,
+    /// Frame number: from 0, or modulo 2^32 where a scene begins before.
     pub frame: u32,
     /// Systems in use.
     pub system_count: u32,
@@ -146,12 +273,16 @@ pub struct Frame {
     pub width: u32,
     /// Pixels down.
     pub height: u32,
+    /// `FRAME_` constants.
+    pub flags: u32,
+    /// Parts of the wind.
+    pub wind_count: u32,
+    /// Planes that split the picture into layers.
+    pub layer_plane_count: u32,
+    /// The layer that is drawn, from 1; 0 for all.
+    pub layer: u32,
     /// Unused.
-    pub spare_a: u32,
-    /// Unused.
-    pub spare_b: u32,
-    /// Unused.
-    pub spare_c: u32,
+    pub spare: u32,
 }
 
 /// How many; one record, kept on the device from frame to frame.
@@ -193,10 +324,10 @@ pub struct FrameStats {
     pub live: u32,
     /// Births left out for want of room.
     pub dropped: u32,
-    /// Unused.
-    pub spare_a: u32,
-    /// Unused.
-    pub spare_b: u32,
+    /// Deaths for want of light.
+    pub died_of_intensity: u32,
+    /// Deaths out of bounds; the rest of `died` is of age.
+    pub died_of_bounds: u32,
 }
 
 /// The arguments of one indirect dispatch.

@@ -14,18 +14,23 @@
 //! outside. Two backends run a plan: [`gpu`] expands each stage into WGSL kernels
 //! ([`gpu::STAGE_KERNELS`]), [`cpu`] runs their twins with rayon; both are a
 //! [`backend::Backend`]. [`simulation`] is the front door of the library, [`cli`] that of the
-//! program, [`check`] holds two backends against each other.
+//! program, [`check`] holds two backends against each other. A [`recording`] is the list of changes
+//! made while a scene ran.
 //!
 //! A stage has one basename: `wgsl/particles/advance.wgsl` and `src/cpu/particles/advance.rs`.
-//! What Rust and WGSL share stands once in each: [`layout`], [`exact`], [`transcendental`], [`rng`].
+//! What Rust and WGSL share stands once in each: [`layout`], [`exact`], [`transcendental`], [`rng`],
+//! [`noise`], [`area`].
 //!
 //! # One frame, as the data sees it
 //!
-//! 1. *births*: how many particles each system bears; where its newborns go.
+//! 1. *births*: how many particles each system bears, perhaps by its screen area; where its
+//!    newborns go.
 //! 2. *emit*: the newborns' places and velocities, behind the living.
-//! 3. *cull*: who dies, one bit a particle; prefix sums over the bits.
-//! 4. *advance*: survivors move, and take their compacted places in the other pool.
-//! 5. *splat*: particles add light to pixels, in 64-bit integers.
+//! 3. *cull*: who dies of age, of dimness or out of bounds, one bit a particle; prefix sums over
+//!    the bits.
+//! 4. *advance*: survivors sample the wind, move, and take their compacted places in the other
+//!    pool.
+//! 5. *splat*: particles add light to pixels, in 64-bit integers; all of them, or one layer's.
 //! 6. *resolve*: light becomes bytes.
 //!
 //! Counts stay on the device; nothing comes back but a ring of statistics, and what is asked for.
@@ -37,6 +42,10 @@
 //! spread by the parameter row of its system at its birth. Nothing depends on where it is stored,
 //! so a run can be entered at any frame from one lifetime before, and two runs differ only in what
 //! was asked to be different.
+//!
+//! Its state is 32 bytes: position, velocity, index, system and birth frame. Colours, sizes and
+//! lifetimes are recomputed wherever they are needed; values with keys ([`scene::Track`]) reach a
+//! newborn through its row and the living through the frame's inputs.
 //!
 //! # Exactness
 //!
@@ -61,6 +70,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod area;
 pub mod backend;
 pub mod check;
 pub mod cli;
@@ -68,6 +78,7 @@ pub mod cpu;
 pub mod exact;
 pub mod gpu;
 pub mod layout;
+pub mod noise;
 pub mod output;
 pub mod plan;
 pub mod recording;

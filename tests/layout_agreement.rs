@@ -3,11 +3,14 @@
 use std::collections::BTreeSet;
 use std::mem::offset_of;
 
+use motes::cpu::particles::cull::Fate;
 use motes::gpu::shader::sources::{KERNELS, LIBRARIES, YARDSTICKS};
 use motes::gpu::shader::{self, Access, CompileOptions, CompiledKernel};
 use motes::gpu::{STAGE_KERNELS, check_binding};
-use motes::layout::{self, Counts, Dispatch, Frame, FrameStats, Particle, SystemFrame, SystemRow};
-use motes::plan::{BUFFERS, BufferRole, STAGES, buffer};
+use motes::layout::{
+    self, Bound, Counts, Dispatch, Frame, FrameStats, Particle, SystemFrame, SystemRow, Wind,
+};
+use motes::plan::{BUFFERS, BufferRole, STAGES, Uses, buffer};
 
 /// A field as Rust has it: name, offset, size.
 type RustField = (&'static str, usize, usize);
@@ -35,33 +38,66 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
         }),
         rust_layout!(SystemRow {
             shape,
+            ejection_and_light,
             speed_and_lifetime,
             size_and_threshold,
             color_mean,
             color_var,
             color_rate,
+            color_rate_var,
             kinds,
         }),
         rust_layout!(SystemFrame {
             world_from_system_x,
             world_from_system_y,
             world_from_system_z,
+            closing_world_from_system_x,
+            closing_world_from_system_y,
+            closing_world_from_system_z,
+            earlier_system_from_birth_x,
+            earlier_system_from_birth_y,
+            earlier_system_from_birth_z,
+            system_from_birth_x,
+            system_from_birth_y,
+            system_from_birth_z,
             acceleration,
             mean_parts,
             var_parts,
             key,
-            stochastic_rounding,
+            flags,
+            bounding_sphere,
+            first_bound,
+            bound_count,
+            burst_parts,
+            burst_var,
+        }),
+        rust_layout!(Bound {
+            place,
+            extent,
+            kinds,
+        }),
+        rust_layout!(Wind {
+            kinds,
+            place,
+            aim,
+            scale,
+            offset,
         }),
         rust_layout!(Frame {
             view_from_world_x,
             view_from_world_y,
             view_from_world_z,
+            closing_view_from_world_x,
+            closing_view_from_world_y,
+            closing_view_from_world_z,
             background,
             focal_px,
+            closing_focal_px,
             center_x_px,
             center_y_px,
             near,
             shutter,
+            exposure,
             frame,
             system_count,
             row_mask,
@@ -70,9 +106,11 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             page_count,
             width,
             height,
-            spare_a,
-            spare_b,
-            spare_c,
+            flags,
+            wind_count,
+            layer_plane_count,
+            layer,
+            spare,
         }),
         rust_layout!(Counts {
             live,
@@ -91,8 +129,8 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             died,
             live,
             dropped,
-            spare_a,
-            spare_b
+            died_of_intensity,
+            died_of_bounds
         }),
         rust_layout!(Dispatch { x, y, z }),
     ]
@@ -129,10 +167,13 @@ fn structs_agree_field_by_field() {
 fn scalar_fields_agree_in_kind() {
     let mut frame = Frame::default();
     (frame.focal_px, frame.center_x_px, frame.center_y_px) = (1.0, 1.0, 1.0);
-    (frame.near, frame.shutter) = (1.0, 1.0);
+    (frame.near, frame.shutter, frame.exposure) = (1.0, 1.0, 1.0);
+    frame.closing_focal_px = 1.0;
     let system = SystemFrame {
         mean_parts: 1.0,
         var_parts: 1.0,
+        burst_parts: 1.0,
+        burst_var: 1.0,
         ..SystemFrame::default()
     };
     let floats = |bytes: &[u8], name: &str| {
@@ -161,21 +202,24 @@ fn constants_agree_bit_for_bit() {
         motes::cpu::particle::CONSTANTS,
         motes::cpu::systems::births::CONSTANTS,
         motes::cpu::footprint::CONSTANTS,
+        motes::cpu::wind::CONSTANTS,
+        motes::area::CONSTANTS,
+        motes::noise::CONSTANTS,
+        layout::CONSTANTS,
     ]
     .concat()
     .into_iter()
     .chain([
-        ("SHAPE_SPHERE", layout::SHAPE_SPHERE),
-        ("SHAPE_CIRCLE", layout::SHAPE_CIRCLE),
-        ("SHAPE_RECTANGLE", layout::SHAPE_RECTANGLE),
-        ("PARTICLE_RECTANGLE", layout::PARTICLE_RECTANGLE),
-        ("PARTICLE_STREAK", layout::PARTICLE_STREAK),
-        ("STREAK_CONSTANT", layout::STREAK_CONSTANT),
+        ("LIVES", Fate::Lives as u32),
+        ("DIES_OF_AGE", Fate::DiesOfAge as u32),
+        ("DIES_OF_INTENSITY", Fate::DiesOfIntensity as u32),
+        ("DIES_OF_BOUNDS", Fate::DiesOfBounds as u32),
         ("DISPATCH_WIDTH", motes::gpu::dispatch::DISPATCH_WIDTH),
         ("STATISTICS_LEN", buffer_len("statistics")),
     ])
     .collect();
-    let given = ["WORKGROUP_SIZE", "THRESHOLDS", "STREAKS", "RECTANGLES"];
+    let mut given = vec!["WORKGROUP_SIZE"];
+    given.extend(Uses::default().switches().iter().map(|(name, _)| name));
     let mut seen = BTreeSet::new();
     for source in LIBRARIES.iter().chain(KERNELS) {
         for constant in shader::constants(source.name).expect("the file compiles") {
@@ -324,4 +368,9 @@ fn no_kernel_is_an_orphan_and_stages_stand_in_order() {
 }
 
 /// Kernels that are dispatched by name and not by stage.
-const WITHOUT_A_STAGE: [&str; 2] = ["digest/digest", "bench/copy"];
+const WITHOUT_A_STAGE: &[&str] = &[
+    "digest/digest",
+    "bench/copy",
+    "bench/noise_lattice",
+    "bench/noise_simplex",
+];

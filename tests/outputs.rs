@@ -225,7 +225,7 @@ fn outputs_that_mean_nothing_say_what_would() {
         ("", "name.gif"),
         ("a.mp4", "does not write .mp4 yet"),
         ("a.exr", "does not write .exr yet"),
-        ("a.SVG", "does not write .svg yet"),
+        ("a-%04d.svg", "a line drawing is one frame"),
         ("a.jpg", "give a folder, name-%04d.png"),
         ("a-%04d.gif", "name-%04d.png"),
         ("a-%04d", "use a-%04d.png"),
@@ -734,9 +734,11 @@ fn stats_are_lines_of_the_contract() {
     let counts = ParticleCounts {
         requested: 12,
         born: 10,
-        died: 3,
+        died: 6,
         live: 5_000_000_000,
         dropped: 2,
+        died_of_intensity: 1,
+        died_of_bounds: 2,
     };
     for (frame, population, measured, digest) in [
         (0, "particles", Measured::Particles(counts), None),
@@ -757,11 +759,12 @@ fn stats_are_lines_of_the_contract() {
     stats.finish().unwrap();
     assert_eq!(
         fs::read_to_string(&path).unwrap(),
-        "frame,population,kind,requested,born,died,live,dropped,digest\n\
-         0,particles,particles,12,10,3,5000000000,2,\n\
-         1,\"a, \"\"b\"\"\",particles,12,10,3,5000000000,2,ffffffffffffffff\n\
-         1,image,image,,,,,,0000000000000abc\n\
-         2,image,image,,,,,,\n"
+        "frame,population,kind,requested,born,died,live,dropped,digest,\
+         died_of_age,died_of_intensity,died_of_bounds\n\
+         0,particles,particles,12,10,6,5000000000,2,,3,1,2\n\
+         1,\"a, \"\"b\"\"\",particles,12,10,6,5000000000,2,ffffffffffffffff,3,1,2\n\
+         1,image,image,,,,,,0000000000000abc,,,\n\
+         2,image,image,,,,,,,,,\n"
     );
     assert_eq!(names_in(path.parent().unwrap()), set(&["run.csv"]));
 }

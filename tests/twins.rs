@@ -47,6 +47,14 @@ fn everything_is_the_same_when_births_are_dropped() {
 }
 
 #[test]
+fn what_moves_blows_and_ends_particles_is_the_same() {
+    for flat in [false, true] {
+        let (plan, frames) = windy_frames(flat, 16);
+        assert_twins(&plan, &frames, &small_pages());
+    }
+}
+
+#[test]
 fn extreme_inputs_are_the_same_stage_by_stage() {
     for seed in 0..if full() { 200 } else { 6 } {
         // Where the 16 bits of birth frames wrap, and where the ring of statistics does.

@@ -53,8 +53,8 @@ const FRAME_STATS: Fields = &[
     ("died", false),
     ("live", false),
     ("dropped", false),
-    ("spare_a", false),
-    ("spare_b", false),
+    ("died_of_intensity", false),
+    ("died_of_bounds", false),
 ];
 
 const CHANNELS: Fields = &[("red", false), ("green", false), ("blue", false)];

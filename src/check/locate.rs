@@ -14,6 +14,11 @@ pub(super) fn locate(
     frame: u32,
     record: bool,
 ) -> Result<Option<(Place, Option<StageRecord>)>, BackendError> {
+    for before in plan.first_frame..0 {
+        let inputs = plan.inputs(before.cast_unsigned());
+        got.step(&inputs)?;
+        expected.step(&inputs)?;
+    }
     for before in 0..frame {
         let inputs = plan.inputs(before);
         for side in [&mut got, &mut expected] {

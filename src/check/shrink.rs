@@ -1,7 +1,7 @@
 //! A scene made small enough to be checked in seconds, with all that makes it what it is.
 
 use crate::plan::{Plan, PlanError};
-use crate::scene::Scene;
+use crate::scene::{Scene, System, Track};
 
 /// Most particles alive at once in a shrunk scene, about.
 const MOST_PARTICLES: u32 = 20_000;
@@ -27,18 +27,30 @@ const MOST_TRIES: u32 = 16;
 /// How many frames show births and deaths of every system: at least 48, at most 160 from the first
 /// births on, and no more than the scene lasts.
 pub fn default_frames(scene: &Scene) -> u32 {
-    let first_frames = || scene.systems.iter().map(|system| system.first_frame);
-    let (first, last) = (
-        first_frames().min().unwrap_or(0),
-        first_frames().max().unwrap_or(0),
-    );
+    let starts = || scene.systems.iter().flat_map(begins_at);
+    let first = starts().min().unwrap_or(0).max(0).cast_unsigned();
+    let last = starts().max().unwrap_or(0).max(0).cast_unsigned();
     let longest_life = scene
         .systems
         .iter()
-        .map(|system| (system.lifetime.mean + system.lifetime.var).ceil() as u32)
+        .filter_map(|system| system.lifetime)
+        .map(|lifetime| (lifetime.mean + lifetime.var).ceil() as u32)
         .fold(0, u32::max);
     let enough = (last + longest_life + FRAMES_AFTER_DEATHS).clamp(FEW_FRAMES, first + MANY_FRAMES);
     scene.frames.min(enough)
+}
+
+/// The frames at which births of a system begin: those of each trigger, and bursts.
+fn begins_at(system: &System) -> impl Iterator<Item = i32> + '_ {
+    let triggers = match system.trigger_frames.as_slice() {
+        [] => &[0],
+        triggers => triggers,
+    };
+    triggers.iter().flat_map(move |trigger| {
+        let bursts = system.bursts.iter().map(|burst| burst.frame);
+        let births = std::iter::once(system.first_frame);
+        births.chain(bursts).map(move |frame| trigger + frame)
+    })
 }
 
 /// The scene with a picture that fits in 320×180 and fewer births, so that about 20,000 particles
@@ -83,9 +95,28 @@ fn with_births(scene: &Scene, factor: f64, capacity: Option<u32>) -> Scene {
     let times = |value: f32| (f64::from(value) * factor) as f32;
     for system in &mut scaled.systems {
         let births = &mut system.births;
-        births.initial_mean_parts = times(births.initial_mean_parts);
-        births.delta_mean_parts = times(births.delta_mean_parts);
-        births.var_parts = times(births.var_parts);
+        for parts in [
+            &mut births.initial_mean_parts,
+            &mut births.delta_mean_parts,
+            &mut births.quadratic_mean_parts,
+            &mut births.cubic_mean_parts,
+            &mut births.var_parts,
+            &mut births.delta_var_parts,
+            &mut births.quadratic_var_parts,
+            &mut births.cubic_var_parts,
+        ] {
+            *parts = times(*parts);
+        }
+        for burst in &mut system.bursts {
+            burst.parts.mean = times(burst.parts.mean);
+            burst.parts.var = times(burst.parts.var);
+        }
+    }
+    let is_births = |track: &&mut Track| track.key.contains("_parts");
+    for track in scaled.tracks.iter_mut().filter(is_births) {
+        for key in &mut track.keys {
+            key.value = key.value.map(times);
+        }
     }
     // What was dropped for want of room is still dropped, in proportion.
     scaled.capacity = capacity.map(|most| ((f64::from(most) * factor) as u32).max(1));

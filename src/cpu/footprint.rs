@@ -1,13 +1,12 @@
 //! The pixels that a particle covers, and how much of each, antialiased (Reeves 1983, 2.5 and 3).
 //! Twin of `wgsl/lib/footprint.wgsl`, line by line; see there for how light is kept.
 
-use glam::Vec3;
-
+use crate::cpu::projection::Projected;
 use crate::exact::{
     clamp_exact, f32_of_i32, inverse_square_root, less, max_exact, min_exact, reciprocal,
     shared_constants, square_root, to_i32,
 };
-use crate::layout::{Frame, SystemFrame};
+use crate::layout::{FRAME_EYE, Frame};
 
 shared_constants! {
     /// Half a turn over its radius.
@@ -33,15 +32,6 @@ shared_constants! {
     pub(crate) const SQUARE: u32 = 2;
 }
 
-/// A point in pixels, its depth along the view axis, and the pixels that a world unit spans there.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Projected {
-    pub(crate) x: f32,
-    pub(crate) y: f32,
-    pub(crate) depth: f32,
-    pub(crate) scale: f32,
-}
-
 /// A disc swept along a segment, or a square; `major` is the axis on which the segment is longer.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Footprint {
@@ -56,47 +46,11 @@ pub(crate) struct Footprint {
     minor_reach: f32,
     slope: f32,
     pub(crate) gain: f32,
+    early: f32,
+    late: f32,
     pub(crate) first: i32,
     pub(crate) last: i32,
     pub(crate) minor_size: i32,
-}
-
-#[inline]
-fn transform(x_row: [f32; 4], y_row: [f32; 4], z_row: [f32; 4], p: Vec3) -> Vec3 {
-    Vec3::new(
-        x_row[0] * p.x + x_row[1] * p.y + x_row[2] * p.z + x_row[3],
-        y_row[0] * p.x + y_row[1] * p.y + y_row[2] * p.z + y_row[3],
-        z_row[0] * p.x + z_row[1] * p.y + z_row[2] * p.z + z_row[3],
-    )
-}
-
-/// A point of the system's space in world space.
-#[inline]
-pub fn world_of(system: &SystemFrame, in_system: Vec3) -> Vec3 {
-    transform(
-        system.world_from_system_x,
-        system.world_from_system_y,
-        system.world_from_system_z,
-        in_system,
-    )
-}
-
-#[inline]
-pub(crate) fn project(view: &Frame, system: &SystemFrame, in_system: Vec3) -> Projected {
-    let world = world_of(system, in_system);
-    let seen = transform(
-        view.view_from_world_x,
-        view.view_from_world_y,
-        view.view_from_world_z,
-        world,
-    );
-    let scale = view.focal_px * reciprocal(max_exact(seen.z, view.near));
-    Projected {
-        x: view.center_x_px + seen.x * scale,
-        y: view.center_y_px - seen.y * scale,
-        depth: seen.z,
-        scale,
-    }
 }
 
 /// Whether any of it may fall into the picture.
@@ -145,7 +99,7 @@ impl Footprint {
         let ex = dx - t * self.along_major;
         let ey = dy - t * self.along_minor;
         let distance = square_root(ex * ex + ey * ey);
-        clamp_exact(self.reach - distance, 0.0, 1.0)
+        clamp_exact(self.reach - distance, 0.0, 1.0) * (self.early + t * self.late)
     }
 
     /// How much of a pixel the square covers, 0 to 1.
@@ -252,10 +206,18 @@ impl Footprint {
             minor_reach: reach * square_root(1.0 + slope * slope),
             slope,
             gain: 1.0,
+            early: 1.0,
+            late: 0.0,
             first: 0,
             last: 0,
             minor_size: 0,
         };
+        let length = length_squared * inverse_length;
+        let lateness = clamp_exact(0.25 * length * reciprocal(reach), 0.0, 1.0);
+        if moves && view.flags & FRAME_EYE != 0 {
+            shape.early = 1.0 - lateness;
+            shape.late = 2.0 * lateness;
+        }
         if !moves && !square && less(reach, SMALL_REACH_PX) {
             shape.kind = SMALL_DISC;
             return shape;

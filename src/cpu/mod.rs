@@ -5,11 +5,15 @@
 
 mod digest;
 pub mod draw;
+pub mod emission;
 pub mod footprint;
 pub mod light;
 pub mod particle;
 pub mod particles;
+pub mod projection;
+mod sprite;
 pub mod systems;
+pub mod wind;
 
 use rayon::prelude::*;
 
@@ -18,6 +22,7 @@ use crate::layout::{Counts, FrameStats, Particle, SystemRow};
 use crate::plan::{FrameInputs, Plan, Stage};
 use light::LightSums;
 use particle::{Identity, row_index};
+use particles::cull::{Fate, fate_of};
 
 pub use digest::digest;
 
@@ -34,6 +39,9 @@ pub struct CpuBackend {
     particles: Vec<Particle>,
     survivors: Vec<Particle>,
     alive_bits: Vec<u32>,
+    /// For want of light, and out of bounds.
+    deaths: [u32; 2],
+    curve_points: Vec<[f32; 4]>,
     light: LightSums,
     image: Vec<u32>,
     statistics: Vec<FrameStats>,
@@ -68,6 +76,8 @@ impl CpuBackend {
             particles,
             survivors: Vec::new(),
             alive_bits: Vec::new(),
+            deaths: [0; 2],
+            curve_points: plan.curve_points.clone(),
             light: LightSums::new(plan.width, plan.height),
             image: try_zeroed(pixels, "pixels")?,
             statistics: Vec::new(),
@@ -109,6 +119,7 @@ impl CpuBackend {
             let at = row_index(slot as u32, inputs.frame.frame, inputs.frame.row_mask);
             self.rows[at] = *row;
         }
+        self.deaths = [0; 2];
         (self.birth_counts, self.birth_offsets) = systems::births::births(inputs);
         let requested = self.birth_offsets.last().copied().unwrap_or(0);
         self.counts = systems::births::book(self.counts.live, requested, inputs.frame.capacity);
@@ -117,6 +128,7 @@ impl CpuBackend {
     fn emit(&mut self, inputs: &FrameInputs) -> Result<(), BackendError> {
         let frame = &inputs.frame;
         let live = self.counts.live as usize;
+        let curve_points = &self.curve_points;
         grow(&mut self.particles, self.counts.total as usize)?;
         for (slot, system) in inputs.systems.iter().enumerate() {
             let room = |offset: u32| offset.min(self.counts.born) as usize;
@@ -136,7 +148,7 @@ impl CpuBackend {
                         birth_frame: frame.frame,
                         index: index as u32,
                     };
-                    *newborn = particles::emit::emit(who, slot, &row);
+                    *newborn = particles::emit::emit(who, slot, system, &row, curve_points);
                 });
         }
         Ok(())
@@ -145,15 +157,25 @@ impl CpuBackend {
     fn cull(&mut self, inputs: &FrameInputs) {
         let rows = &self.rows;
         self.alive_bits.resize(self.particles.len().div_ceil(32), 0);
-        self.alive_bits
+        self.deaths = self
+            .alive_bits
             .par_iter_mut()
             .with_min_len(CHUNK / 32)
             .zip(self.particles.par_chunks(32))
-            .for_each(|(bits, word)| {
-                *bits = word.iter().enumerate().fold(0, |bits, (at, particle)| {
-                    bits | u32::from(particles::cull::survives(particle, inputs, rows)) << at
-                });
-            });
+            .map(|(bits, word)| {
+                *bits = 0;
+                let mut deaths = [0, 0];
+                for (at, particle) in word.iter().enumerate() {
+                    match fate_of(particle, inputs, rows) {
+                        Fate::Lives => *bits |= 1 << at,
+                        Fate::DiesOfAge => {}
+                        Fate::DiesOfIntensity => deaths[0] += 1,
+                        Fate::DiesOfBounds => deaths[1] += 1,
+                    }
+                }
+                deaths
+            })
+            .reduce(|| [0, 0], |[a, b], [c, d]| [a + c, b + d]);
     }
 
     fn advance(&mut self, inputs: &FrameInputs) -> Result<(), BackendError> {
@@ -181,7 +203,7 @@ impl CpuBackend {
                 for (place, at) in target.iter_mut().zip(survivors) {
                     let particle = &source[at];
                     let system = &inputs.systems[particle.slot() as usize];
-                    *place = particles::advance::advance(particle, system);
+                    *place = particles::advance::advance(particle, system, &inputs.winds);
                 }
             });
         std::mem::swap(&mut self.particles, &mut self.survivors);
@@ -195,7 +217,8 @@ impl CpuBackend {
             died: counts.died,
             live: counts.live,
             dropped: counts.dropped,
-            ..FrameStats::default()
+            died_of_intensity: self.deaths[0],
+            died_of_bounds: self.deaths[1],
         });
         Ok(())
     }
@@ -246,6 +269,7 @@ impl Backend for CpuBackend {
             "counts" => bytemuck::cast_slice(&[self.counts]).to_vec(),
             "particles" => bytemuck::cast_slice(&self.particles).to_vec(),
             "alive_bits" => self.alive_bits.clone(),
+            "deaths" => self.deaths.to_vec(),
             "light_low" => (0..self.light.len())
                 .map(|at| self.light.limbs(at).0)
                 .collect(),

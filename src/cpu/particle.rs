@@ -1,12 +1,12 @@
 //! What a particle is made of, recomputed whenever it is asked for (Reeves 1983, 2.2 to 2.4).
 //! Twin of `wgsl/lib/particle.wgsl`, line by line.
 
-use glam::{UVec4, Vec3};
+use glam::{UVec4, Vec3, Vec4};
 
 use crate::exact::{clamp_exact, f32_of_u32, max_exact, shared_constants, snap, to_i32};
-use crate::layout::{Particle, SystemRow};
+use crate::layout::{Particle, ROW_LUMINANCE, SystemRow};
 use crate::plan::FrameInputs;
-use crate::rng::{pcg4d, signed_float};
+use crate::rng::{pcg4d, signed_float, signed4};
 
 shared_constants! {
     /// Streams of the hash: which attributes a draw is for.
@@ -17,6 +17,10 @@ shared_constants! {
     pub const STREAM_COLOR: u32 = 2;
     /// How many are born; the index is 0.
     pub const STREAM_BIRTHS: u32 = 3;
+    /// Rates of colour and transparency.
+    pub const STREAM_RATES: u32 = 4;
+    /// The moment of birth within its frame, the rate of the size.
+    pub const STREAM_MOMENT: u32 = 5;
     /// The least size at birth: a particle always covers something.
     pub const LEAST_SIZE: f32 = 0.000001;
 }
@@ -83,28 +87,35 @@ pub fn appearance_of(who: Identity, row: &SystemRow, steps: u32) -> Appearance {
     let n = f32_of_u32(steps);
     let mean = row.color_mean;
     let half_width = row.color_var;
-    let rate = row.color_rate;
+    let varied = signed4(draw(who, STREAM_RATES)) * Vec4::from(row.color_rate_var);
+    let rate = Vec4::from(row.color_rate) + varied;
     let red = max_exact(mean[0] + signed_float(random.x) * half_width[0], 0.0);
     let green = max_exact(mean[1] + signed_float(random.y) * half_width[1], 0.0);
     let blue = max_exact(mean[2] + signed_float(random.z) * half_width[2], 0.0);
     let clear = clamp_exact(mean[3] + signed_float(random.w) * half_width[3], 0.0, 1.0);
-    let changing = row.size_and_threshold;
-    let spread = signed_float(draw(who, STREAM_MOTION).w) * changing[1];
-    let size = max_exact(changing[0] + spread, LEAST_SIZE);
+    let [size_mean, size_half_width, size_rate, _] = row.size_and_threshold;
+    let spread = signed_float(draw(who, STREAM_MOTION).w) * size_half_width;
+    let size = max_exact(size_mean + spread, LEAST_SIZE);
+    let size_rate =
+        size_rate + signed_float(draw(who, STREAM_MOMENT).y) * row.ejection_and_light[3];
     Appearance {
         color: Vec3::new(
-            max_exact(red + n * rate[0], 0.0),
-            max_exact(green + n * rate[1], 0.0),
-            max_exact(blue + n * rate[2], 0.0),
+            max_exact(red + n * rate.x, 0.0),
+            max_exact(green + n * rate.y, 0.0),
+            max_exact(blue + n * rate.z, 0.0),
         ),
-        transparency: clamp_exact(clear + n * rate[3], 0.0, 1.0),
-        size: max_exact(size + n * changing[2], 0.0),
+        transparency: clamp_exact(clear + n * rate.w, 0.0, 1.0),
+        size: max_exact(size + n * size_rate, 0.0),
     }
 }
 
-/// I = (1 - transparency) max(R, G, B) (2.4).
+/// I = (1 - transparency) max(R, G, B), or with a flag (1 - transparency) luminance (2.4).
 #[inline]
-pub fn intensity_of(look: &Appearance) -> f32 {
-    let brightest = max_exact(look.color.x, max_exact(look.color.y, look.color.z));
-    snap((1.0 - look.transparency) * brightest)
+pub fn intensity_of(look: &Appearance, flags: u32) -> f32 {
+    let light = if flags & ROW_LUMINANCE != 0 {
+        0.2126 * look.color.x + 0.7152 * look.color.y + 0.0722 * look.color.z
+    } else {
+        max_exact(look.color.x, max_exact(look.color.y, look.color.z))
+    };
+    snap((1.0 - look.transparency) * light)
 }

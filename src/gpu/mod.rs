@@ -63,14 +63,10 @@ pub struct GpuOptions<'a> {
 
 /// Switches of what the plan does not use.
 fn switches_off(plan: &Plan) -> Vec<&'static str> {
-    [
-        ("THRESHOLDS", plan.uses.thresholds),
-        ("STREAKS", plan.uses.streaks),
-        ("RECTANGLES", plan.uses.rectangles),
-    ]
-    .into_iter()
-    .filter_map(|(switch, used)| (!used).then_some(switch))
-    .collect()
+    let switches = plan.uses.switches().into_iter();
+    switches
+        .filter_map(|(switch, used)| (!used).then_some(switch))
+        .collect()
 }
 
 /// The state of a run on a device.
@@ -84,6 +80,7 @@ pub struct GpuBackend {
     workgroup_size: u32,
     system_count: u32,
     row_count: u32,
+    curve_points: Vec<[f32; 4]>,
     pixels: u32,
     /// Which pool holds the particles.
     current: usize,
@@ -154,6 +151,7 @@ impl GpuBackend {
             workgroup_size,
             system_count: plan.system_count,
             row_count: plan.row_count,
+            curve_points: plan.curve_points.clone(),
             pixels: plan.width * plan.height,
             current: 0,
             newborns_present: false,
@@ -237,6 +235,7 @@ impl Backend for GpuBackend {
             "alive_bits" => u64::from(counts.total.div_ceil(32)),
             "birth_counts" => u64::from(self.system_count),
             "birth_offsets" => u64::from(self.system_count) + 1,
+            "deaths" => 2,
             "image" => u64::from(self.pixels),
             "light_low" | "light_high" => u64::from(self.pixels) * 3,
             _ => whole.size() / 4,

@@ -104,7 +104,7 @@ impl StatisticsRing {
         frame: u32,
     ) -> Result<(), BackendError> {
         self.first.get_or_insert(frame);
-        self.end = frame + 1;
+        self.end = frame.wrapping_add(1);
         if self.end.is_multiple_of(HALF) {
             self.fetch(gpu, memory, encoder)?;
         }
@@ -121,7 +121,7 @@ impl StatisticsRing {
             return Ok(());
         };
         // Frames since the last fetch lie within one half, so they do not wrap.
-        let bytes = u64::from(self.end - first) * LINE;
+        let bytes = u64::from(self.end.wrapping_sub(first)) * LINE;
         let target = staging(gpu, bytes);
         let from = u64::from(first % STATISTICS_LEN) * LINE;
         encoder.copy_buffer_to_buffer(memory.named("statistics")?, from, &target, 0, bytes);

@@ -24,6 +24,16 @@ impl GpuBackend {
             0,
             bytemuck::cast_slice(&inputs.systems),
         );
+        for (name, bytes) in [
+            ("curve_points", bytemuck::cast_slice(&self.curve_points)),
+            ("bounds", bytemuck::cast_slice(&inputs.bounds)),
+            ("winds", bytemuck::cast_slice(&inputs.winds)),
+            ("layer_planes", bytemuck::cast_slice(&inputs.layer_planes)),
+        ] {
+            if !bytes.is_empty() {
+                queue.write_buffer(self.memory.named(name)?, 0, bytes);
+            }
+        }
         let rows = self.memory.named("rows")?;
         for (slot, row) in inputs.rows.iter().enumerate() {
             let at = slot as u32 * self.row_count + frame.frame % self.row_count;

@@ -10,14 +10,15 @@ use crate::backend::BackendError;
 use crate::layout::Particle;
 
 impl GpuDevice {
-    /// Milliseconds of each of `repeats` copies of `records` particles (32 bytes read, 32 written)
-    /// by a WGSL kernel, on the device's clock; empty where it has none. At most one binding's
-    /// worth of records.
+    /// Milliseconds of each of `repeats` runs of a yardstick over `records` particles (32 bytes
+    /// read, 32 written), on the device's clock; empty where it has none. At most one binding's
+    /// worth of records. `bench/copy` does nothing else; the others work on what they read.
     ///
     /// # Errors
-    /// Out of memory, or the device fails.
-    pub fn copy_times(
+    /// No yardstick has that name, out of memory, or the device fails.
+    pub fn yardstick_times(
         &self,
+        yardstick: &'static str,
         records: u32,
         workgroup_size: u32,
         repeats: u32,
@@ -26,7 +27,7 @@ impl GpuDevice {
             return Ok(Vec::new());
         };
         let compiled = shader::compile(
-            "bench/copy",
+            yardstick,
             &CompileOptions {
                 workgroup_size,
                 ..CompileOptions::default()
@@ -54,7 +55,7 @@ impl GpuDevice {
         self.queue
             .write_buffer(&buffers[0], 0, bytemuck::cast_slice(&words));
         let group = self.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("copy"),
+            label: Some(yardstick),
             layout: &kernel.layout,
             entries: &[0, 1].map(|at| wgpu::BindGroupEntry {
                 binding: at,
@@ -65,7 +66,7 @@ impl GpuDevice {
             let mut encoder = self.device.create_command_encoder(&Default::default());
             let mut timed = timer.frame();
             {
-                let mut pass = encoder.begin_compute_pass(&timed.pass("bench/copy"));
+                let mut pass = encoder.begin_compute_pass(&timed.pass(yardstick));
                 pass.set_pipeline(&kernel.pipeline);
                 pass.set_bind_group(0, &group, &[]);
                 pass.set_immediates(0, bytemuck::bytes_of(&records));

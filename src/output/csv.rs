@@ -8,7 +8,8 @@ use super::OutputError;
 use super::atomic::AtomicFile;
 
 /// The first line of the file. Scripts depend on it.
-const HEADER: &str = "frame,population,kind,requested,born,died,live,dropped,digest";
+const HEADER: &str = "frame,population,kind,requested,born,died,live,dropped,digest,\
+                      died_of_age,died_of_intensity,died_of_bounds";
 
 /// What happened to a population of particles in one frame.
 ///
@@ -25,6 +26,10 @@ pub struct ParticleCounts {
     pub live: u64,
     /// Births that did not fit.
     pub dropped: u64,
+    /// Deaths for want of light.
+    pub died_of_intensity: u64,
+    /// Deaths out of bounds; the rest of `died` is of age.
+    pub died_of_bounds: u64,
 }
 
 /// What a row is about, with the numbers that such a row has.
@@ -81,7 +86,7 @@ impl StatsWriter {
             digest,
         } = *row;
         let population = quoted(population);
-        let measured = match measured {
+        let (measured, causes) = match measured {
             Measured::Particles(counts) => {
                 let ParticleCounts {
                     requested,
@@ -89,13 +94,21 @@ impl StatsWriter {
                     died,
                     live,
                     dropped,
+                    died_of_intensity,
+                    died_of_bounds,
                 } = counts;
-                format!("particles,{requested},{born},{died},{live},{dropped}")
+                let of_age = died.saturating_sub(died_of_intensity + died_of_bounds);
+                (
+                    format!("particles,{requested},{born},{died},{live},{dropped}"),
+                    format!("{of_age},{died_of_intensity},{died_of_bounds}"),
+                )
             }
-            Measured::Image => "image,,,,,".to_owned(),
+            Measured::Image => ("image,,,,,".to_owned(), ",,".to_owned()),
         };
         let digest = digest.map_or(String::new(), |digest| format!("{digest:016x}"));
-        self.line(&format!("{frame},{population},{measured},{digest}"))
+        self.line(&format!(
+            "{frame},{population},{measured},{digest},{causes}"
+        ))
     }
 
     /// Puts the file in its place.

@@ -11,6 +11,8 @@
 //! | `png.rs` | one picture | [`write_png`] |
 //! | `gif/` | an animation: palette, dithering, changes between frames | inside [`FrameSink`] |
 //! | `folder.rs` | a folder of files | inside [`check::save`](crate::check::save) |
+//! | `layer.rs` | light with alpha, one picture over another | [`Rgba8Image::into_layer`] |
+//! | `svg.rs` | a line a particle | [`write_svg`] |
 //! | `ply.rs` | a dump of one population | [`write_particles`] |
 //! | `csv.rs` | one row a population a frame | [`StatsWriter`] |
 
@@ -19,9 +21,11 @@ mod csv;
 mod error;
 mod folder;
 mod gif;
+mod layer;
 mod ply;
 mod png;
 mod sink;
+mod svg;
 mod target;
 
 pub use csv::{Measured, ParticleCounts, StatsRow, StatsWriter};
@@ -30,6 +34,7 @@ pub(crate) use folder::{AtomicFolder, write_whole};
 pub use ply::{ParticleRecord, dump_path, write_particles};
 pub use png::write_png;
 pub use sink::{FrameSink, Written};
+pub use svg::{Drawing, write_svg};
 pub use target::{FramePattern, OutputTarget};
 
 /// A finished picture, 8 bits a channel, display-referred.

@@ -96,6 +96,12 @@ impl FrameSink {
                 probe(path)?;
                 Writer::One(path.clone())
             }
+            OutputTarget::Svg(_) => {
+                return usage(
+                    "a line drawing takes no pictures".to_owned(),
+                    "use write_svg",
+                );
+            }
             OutputTarget::Gif(path) => Writer::Gif(Box::new(GifWriter::create(
                 path, width, height, frame_rate,
             )?)),

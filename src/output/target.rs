@@ -7,7 +7,7 @@ use super::OutputError;
 
 /// What Motes can write today, for messages.
 const SUPPORTED: &str =
-    "give a folder, name-%04d.png (a PNG a frame), name.png (one frame) or name.gif";
+    "give a folder, name-%04d.png (a PNG a frame), name.png or name.svg (one frame) or name.gif";
 
 /// Digits beyond which a frame number is not padded: more than a `u32` has is surely a slip of the hand.
 const MAX_DIGITS: usize = 10;
@@ -23,6 +23,8 @@ pub enum OutputTarget {
     Png(PathBuf),
     /// All frames in one animated GIF.
     Gif(PathBuf),
+    /// One frame as a line drawing.
+    Svg(PathBuf),
 }
 
 /// File names with a frame number in them, such as `fire/name-%04d.png`.
@@ -66,7 +68,7 @@ impl OutputTarget {
     /// Reads what the user wrote after `-o`, by its ending (in any case of letters).
     ///
     /// No ending, or a trailing slash, is a folder. `.png` is one frame, or a pattern where its name holds `%d` or `%04d`
-    /// (1 to 10 digits); `%%` is a percent sign. `.gif` is an animation.
+    /// (1 to 10 digits); `%%` is a percent sign. `.gif` is an animation, `.svg` a line drawing of one frame.
     ///
     /// # Errors
     /// The user's fault: nothing at all, an ending that Motes does not write, a pattern that is none.
@@ -98,7 +100,16 @@ impl OutputTarget {
                 }
                 return Ok(Self::Gif(path.to_owned()));
             }
-            "exr" | "mp4" | "svg" => format!("this version does not write .{ending} yet"),
+            "svg" => {
+                if has_conversion(out) {
+                    return Err(usage(
+                        "a line drawing is one frame, so its name has no frame number".to_owned(),
+                        "use name.svg and --frame N",
+                    ));
+                }
+                return Ok(Self::Svg(path.to_owned()));
+            }
+            "exr" | "mp4" => format!("this version does not write .{ending} yet"),
             "apng" | "avi" | "avif" | "bmp" | "hdr" | "jpeg" | "jpg" | "jxl" | "m4v" | "mkv"
             | "mov" | "ogv" | "pdf" | "pnm" | "ppm" | "qoi" | "tga" | "tif" | "tiff" | "webm"
             | "webp" | "zip" => format!("Motes does not write .{ending}"),
@@ -111,9 +122,25 @@ impl OutputTarget {
     /// The folder or file as a path; for a pattern, that of frame 0.
     pub fn path(&self) -> PathBuf {
         match self {
-            Self::Folder(path) | Self::Png(path) | Self::Gif(path) => path.clone(),
+            Self::Folder(path) | Self::Png(path) | Self::Gif(path) | Self::Svg(path) => {
+                path.clone()
+            }
             Self::Pattern(pattern) => pattern.path(0),
         }
+    }
+
+    /// The file of a frame's layer, beside the frame's own: `name-LAYER.png`; `None` where frames
+    /// have no PNG of their own.
+    pub fn layer_path(&self, frame_number: u32, layer: &str) -> Option<PathBuf> {
+        let frame = match self {
+            Self::Folder(folder) => FramePattern::in_folder(folder).path(frame_number),
+            Self::Pattern(pattern) => pattern.path(frame_number),
+            Self::Png(path) => path.clone(),
+            Self::Gif(_) | Self::Svg(_) => return None,
+        };
+        let mut name = frame.file_stem().unwrap_or_default().to_owned();
+        name.push(format!("-{layer}.png"));
+        Some(frame.with_file_name(name))
     }
 
     fn folder(out: &str) -> Result<Self, OutputError> {

@@ -1,8 +1,10 @@
-//! How many particles a scene can have at once, and for how long one can live.
+//! How many particles a scene can have at once, for how long one can live, and when it begins.
 
 use super::PlanError;
-use super::variant::{PlannedSystem, Variant};
-use crate::scene::Scene;
+use super::camera::camera_frame;
+use super::system::{births_at, bounding_sphere, system_key};
+use crate::area::screen_area_px;
+use crate::scene::{BirthUnit, Scene, System};
 
 /// The largest capacity that a plan takes.
 const MOST_PARTICLES: u64 = 1_000_000_000;
@@ -10,24 +12,67 @@ const MOST_PARTICLES: u64 = 1_000_000_000;
 /// Most (system, frame) pairs that are looked at to find a bound.
 const MOST_STEPS: u64 = 1 << 26;
 
-/// L_max: the longest lifetime that any system can draw, frames.
-pub(super) fn lifetime_bound(scenes: &[&Scene]) -> u32 {
-    scenes
-        .iter()
-        .flat_map(|scene| &scene.systems)
-        .map(|system| {
-            // Lifetimes are rounded to the nearest; the hundredth stands for single precision.
-            let most = f64::from(system.lifetime.mean) + f64::from(system.lifetime.var);
-            (most + 0.51).floor() as u32
-        })
-        .fold(1, u32::max)
+/// Frames of a run in which some particle lives without limit, at most.
+const MOST_UNLIMITED_FRAMES: i64 = 65_000;
+
+/// No lifetime is longer: one with keys is at no time, though its greatest mean and half-width may
+/// add up to more.
+const MOST_LIFETIME: u32 = 65_001;
+
+/// The frame that the run begins with: 0, or that of the earliest births.
+pub(super) fn first_frame(scenes: &[&Scene]) -> i32 {
+    let first = |system: &System| {
+        let start = system.trigger_frames.first().copied().unwrap_or(0);
+        let bursts = system.bursts.iter().map(|burst| burst.frame);
+        start + bursts.fold(system.first_frame, i32::min)
+    };
+    let systems = scenes.iter().flat_map(|scene| &scene.systems);
+    systems.map(first).fold(0, i32::min)
+}
+
+/// L_max: the longest lifetime that any system can draw, frames; that of the run where one is
+/// unlimited.
+pub(super) fn lifetime_bound(
+    scenes: &[&Scene],
+    first: i32,
+    frame_end: u32,
+) -> Result<u32, PlanError> {
+    let frames = i64::from(frame_end) - i64::from(first);
+    let mut longest = 1;
+    for scene in scenes {
+        for system in &scene.greatest().systems {
+            let lifetime = match system.lifetime {
+                // Lifetimes are rounded to the nearest; the hundredth stands for single precision.
+                Some(lifetime) => {
+                    let most = f64::from(lifetime.mean) + f64::from(lifetime.var);
+                    (most + 0.51).floor() as u32
+                }
+                None if frames > MOST_UNLIMITED_FRAMES => {
+                    return Err(PlanError {
+                        message: format!(
+                            "`system.{}` has no lifetime, and the run has {frames} frames",
+                            system.name
+                        ),
+                        help: format!(
+                            "a lifetime, or at most {MOST_UNLIMITED_FRAMES} frames in all"
+                        ),
+                    });
+                }
+                None => frames as u32 + 1,
+            };
+            longest = longest.max(lifetime);
+        }
+    }
+    Ok(longest.min(MOST_LIFETIME))
 }
 
 /// A bound on the particles in the pool at any frame below `frame_end`, newborns and those about
-/// to be culled included.
+/// to be culled included. `births` is the most that all systems can ask for in a frame.
 pub(super) fn capacity(
-    variants: &[Variant],
+    births: impl Fn(i32) -> u64,
+    systems: usize,
     lifetime_bound: u32,
+    first: i32,
     frame_end: u32,
 ) -> Result<u32, PlanError> {
     let unknown = |message: String| PlanError {
@@ -36,43 +81,26 @@ pub(super) fn capacity(
                are left out and counted as dropped"
             .into(),
     };
-    // Steps up and down of the bound, by frame.
-    let mut changes = vec![0i64; frame_end as usize + 2];
-    let mut steps = 0u64;
-    for (at, variant) in variants.iter().enumerate() {
-        let until = variants
-            .get(at + 1)
-            .map_or(frame_end, |next| next.first_frame.min(frame_end));
-        for system in &variant.systems {
-            let first = variant.first_frame.max(system.first_frame);
-            let last = system.end_frame.map_or(until, |end| end.min(until));
-            for frame in first..last {
-                steps += 1;
-                if steps > MOST_STEPS {
-                    return Err(unknown(
-                        "this scene is too long to bound its particles".into(),
-                    ));
-                }
-                let births = births_bound(system, frame);
-                if births == 0 && system.births.delta_mean_parts <= 0.0 {
-                    break;
-                }
-                let dead = frame as usize + lifetime_bound.min(frame_end) as usize + 1;
-                changes[frame as usize] += births;
-                changes[dead.min(frame_end as usize + 1)] -= births;
-            }
-        }
+    let frames = (i64::from(frame_end) - i64::from(first)) as usize;
+    if frames as u64 * systems as u64 > MOST_STEPS {
+        return Err(unknown(
+            "this scene is too long to bound its particles".into(),
+        ));
     }
-    let mut present = 0i64;
-    let most = changes
-        .iter()
-        .map(|change| {
-            present += change;
-            present
-        })
-        .max()
-        .unwrap_or(0);
-    if most as u64 > MOST_PARTICLES {
+    let life = lifetime_bound as usize;
+    let mut born = Vec::with_capacity(frames);
+    let mut present = 0u64;
+    let mut most = 0;
+    for at in 0..frames {
+        born.push(births(first + at as i32));
+        present += born[at];
+        // Those born L_max + 1 frames ago were culled a frame ago.
+        if let Some(dead) = at.checked_sub(life + 1) {
+            present -= born[dead];
+        }
+        most = most.max(present);
+    }
+    if most > MOST_PARTICLES {
         return Err(unknown(format!(
             "this scene can have {most} particles at once, more than {MOST_PARTICLES}"
         )));
@@ -80,14 +108,23 @@ pub(super) fn capacity(
     Ok((most as u32).max(1))
 }
 
-/// The most births that the system can ask for in `frame`.
-fn births_bound(system: &PlannedSystem, frame: u32) -> i64 {
-    let (mean, var) = system.births_at(frame);
-    let most = (f64::from(mean) + f64::from(var)) * f64::from(system.births_scale);
-    // Births are below 2^24 a system and frame.
-    if most <= 0.0 {
-        0
-    } else {
-        (most.ceil() as i64 + 1).min(1 << 24)
-    }
+/// The most births that all systems can ask for in a frame; `now` is the scene as it is then.
+pub(super) fn births_bound(now: &Scene, frame: i32) -> u64 {
+    let of_one = |system: &System| {
+        let due = births_at(system, system_key(now.seed, &system.name), frame);
+        let sum = |(mean, var)| f64::from(mean) + f64::from(var);
+        let mut most = sum(due.births);
+        if most > 0.0 && system.births.per == BirthUnit::ScreenArea {
+            let view = camera_frame(now, now);
+            most *= f64::from(screen_area_px(&view, bounding_sphere(system)));
+        }
+        most += sum(due.bursts);
+        // Births are below 2^24 a system and frame.
+        if most <= 0.0 {
+            0
+        } else {
+            (most.ceil() as u64 + 1).min(1 << 24)
+        }
+    };
+    now.systems.iter().map(of_one).sum()
 }

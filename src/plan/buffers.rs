@@ -1,7 +1,9 @@
 //! The named buffers of a frame: what WGSL binds by name and Rust declares, once.
 
 use super::Plan;
-use crate::layout::{Counts, Dispatch, Frame, FrameStats, Particle, SystemFrame, SystemRow};
+use crate::layout::{
+    Bound, Counts, Dispatch, Frame, FrameStats, Particle, SystemFrame, SystemRow, Wind,
+};
 
 /// What a buffer is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,6 +30,8 @@ pub enum Count {
     },
     /// A ring of parameter rows for each system.
     Rows,
+    /// The stored points of curves.
+    CurvePoints,
     /// One for every so many particles of the capacity; the last may stand for fewer.
     ParticlesOver(u32),
     /// So many a pixel, for pixels in whole fours.
@@ -88,6 +92,28 @@ pub static BUFFERS: &[Buffer] = {
             Count::Rows,
         ),
         buffer_of(
+            "bounds",
+            Input,
+            "Bound",
+            size_of::<Bound>(),
+            Count::Fixed(Plan::MOST_BOUNDS),
+        ),
+        buffer_of(
+            "winds",
+            Input,
+            "Wind",
+            size_of::<Wind>(),
+            Count::Fixed(Plan::MOST_WINDS),
+        ),
+        buffer_of(
+            "layer_planes",
+            Input,
+            "vec4<f32>",
+            16,
+            Count::Fixed(Plan::MOST_LAYERS),
+        ),
+        buffer_of("curve_points", Input, "vec4<f32>", 16, Count::CurvePoints),
+        buffer_of(
             "birth_counts",
             State,
             "u32",
@@ -123,6 +149,7 @@ pub static BUFFERS: &[Buffer] = {
             Count::ParticlesOver(1),
         ),
         buffer_of("alive_bits", State, "u32", 4, Count::ParticlesOver(32)),
+        buffer_of("deaths", State, "u32", 4, Count::Fixed(2)),
         buffer_of("sums_1", Scratch, "u32", 4, Count::ParticlesOver(2048)),
         buffer_of("sums_2", Scratch, "u32", 4, Count::ParticlesOver(131_072)),
         buffer_of("word_offsets", Scratch, "u32", 4, Count::ParticlesOver(32)),
@@ -159,6 +186,7 @@ impl Buffer {
         Some(match self.count {
             Count::Fixed(count) => count,
             Count::Systems { each, extra } => plan.system_count * each + extra,
+            Count::CurvePoints => plan.curve_points.len() as u32,
             Count::Rows => plan.system_count * plan.row_count,
             Count::ParticlesOver(each) => plan.capacity.div_ceil(each),
             Count::Pixels(each) => (plan.width * plan.height).next_multiple_of(4) * each,

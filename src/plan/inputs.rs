@@ -1,8 +1,11 @@
 //! Everything that changes while a scene runs reaches a frame as one value.
 
 use super::Plan;
-use super::variant::Variant;
-use crate::layout::{Frame, SystemFrame, SystemRow};
+use super::camera::{camera_frame, layer_planes};
+use super::system::{Moments, bounds_of, system_frame, system_row};
+use super::wind::winds_of;
+use crate::layout::{Bound, Frame, SystemFrame, SystemRow, Wind};
+use crate::scene::Scene;
 
 /// What the processor uploads for one frame. The list of them is a recording of the run, and a
 /// recording replays exactly.
@@ -14,30 +17,56 @@ pub struct FrameInputs {
     pub systems: Vec<SystemFrame>,
     /// One a system slot: the row that this frame's newborns keep for life.
     pub rows: Vec<SystemRow>,
+    /// Where particles may not be, system by system; at most [`Plan::MOST_BOUNDS`].
+    pub bounds: Vec<Bound>,
+    /// The parts of the wind, at most [`Plan::MOST_WINDS`].
+    pub winds: Vec<Wind>,
+    /// The planes between layers (unit normal, distance along it), at most [`Plan::MOST_LAYERS`].
+    pub layer_planes: Vec<[f32; 4]>,
 }
 
-pub(super) fn frame_inputs(plan: &Plan, variant: &Variant, number: u32) -> FrameInputs {
-    let frame = Frame {
-        frame: number,
-        ..plan.bounded(variant.frame)
-    };
-    let systems = variant
+/// The inputs of the frame `number`, with `scene` as it is from some frame on.
+pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInputs {
+    let time = f64::from(number);
+    let now = scene.at(time);
+    let earlier = scene.at(time - 1.0);
+    let closing = scene.at(time + f64::from(now.image.shutter));
+    let mut bounds = Vec::new();
+    let systems = now
         .systems
         .iter()
-        .map(|planned| {
-            let (mean, var) = planned.births_at(number);
-            let scale = planned.births_scale;
+        .zip(&earlier.systems)
+        .zip(&closing.systems)
+        .map(|((now, earlier), closing)| {
+            let moments = Moments {
+                now,
+                earlier,
+                closing,
+            };
+            let first_bound = bounds.len();
+            bounds.extend(bounds_of(now));
             SystemFrame {
-                mean_parts: crate::exact::snap(mean * scale),
-                var_parts: crate::exact::snap(var * scale),
-                ..planned.frame_values
+                first_bound: first_bound as u32,
+                bound_count: (bounds.len() - first_bound) as u32,
+                ..system_frame(&moments, scene.seed, number)
             }
         })
         .collect();
+    let winds = winds_of(&now, number);
+    let layer_planes = layer_planes(&now);
+    let frame = Frame {
+        frame: number.cast_unsigned(),
+        wind_count: winds.len() as u32,
+        layer_plane_count: layer_planes.len() as u32,
+        ..plan.bounded(camera_frame(&now, &closing))
+    };
     FrameInputs {
         frame,
         systems,
-        rows: variant.systems.iter().map(|planned| planned.row).collect(),
+        rows: now.systems.iter().map(system_row).collect(),
+        bounds,
+        winds,
+        layer_planes,
     }
 }
 

@@ -4,21 +4,22 @@
 //! more than a multiplication is computed here, once, with [`crate::exact`] math, so that every
 //! backend starts from the same bits.
 
-mod area;
 mod bounds;
 mod buffers;
+mod camera;
+mod curves;
 mod inputs;
 mod stages;
-mod variant;
+mod system;
+mod uses;
+mod wind;
 
-pub use area::screen_area_px;
 pub use buffers::{BUFFERS, Buffer, BufferRole, Count, buffer};
 pub use inputs::FrameInputs;
 pub use stages::{STAGES, Stage, StageInfo};
+pub use uses::Uses;
 
-use crate::layout::{PARTICLE_RECTANGLE, PARTICLE_STREAK, SystemRow};
-use crate::scene::Scene;
-use variant::Variant;
+use crate::scene::{Owner, Scene};
 
 /// Why a scene cannot become a plan: it is the scene's fault, and the message says what to change.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -46,43 +47,6 @@ pub struct Turn {
     pub scene: Scene,
 }
 
-/// Which features some system has at some time; kernels leave out what none has.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Uses {
-    /// Extinction by intensity.
-    pub thresholds: bool,
-    /// Particles drawn as streaks.
-    pub streaks: bool,
-    /// Particles drawn as rectangles.
-    pub rectangles: bool,
-}
-
-impl Uses {
-    fn of(row: &SystemRow) -> Self {
-        Self {
-            thresholds: row.size_and_threshold[3] >= 0.0,
-            streaks: row.kinds[1] == PARTICLE_STREAK,
-            rectangles: row.kinds[1] == PARTICLE_RECTANGLE,
-        }
-    }
-
-    fn and(self, other: Self) -> Self {
-        Self {
-            thresholds: self.thresholds | other.thresholds,
-            streaks: self.streaks | other.streaks,
-            rectangles: self.rectangles | other.rectangles,
-        }
-    }
-
-    /// Whether inputs of the caller's making use no more than this.
-    pub fn cover(self, inputs: &FrameInputs) -> bool {
-        inputs
-            .rows
-            .iter()
-            .all(|row| self.and(Self::of(row)) == self)
-    }
-}
-
 /// What a backend needs to know of a scene.
 #[derive(Clone, Debug)]
 pub struct Plan {
@@ -102,14 +66,28 @@ pub struct Plan {
     pub height: u32,
     /// What its systems make use of, at any time.
     pub uses: Uses,
-    variants: Vec<Variant>,
+    /// The frame that a run begins with: 0, or before it where births begin earlier.
+    pub first_frame: i32,
+    /// Points of the curves that particles are born on; w unused.
+    pub curve_points: Vec<[f32; 4]>,
+    /// The scene as it is from a frame on, in the order of these frames.
+    variants: Vec<(i32, Scene)>,
 }
 
 impl Plan {
+    /// Bounds of all systems together, at most.
+    pub const MOST_BOUNDS: u32 = 4096;
+    /// Parts of the wind, at most.
+    pub const MOST_WINDS: u32 = 16;
+    /// Planes between layers, at most.
+    pub const MOST_LAYERS: u32 = 8;
+
     /// Plans `scene` for frames below `frame_end`.
     ///
     /// # Errors
-    /// More particles than 10^9, or a bound too costly to find: the scene then has to name its capacity.
+    /// More particles than 10^9, or a bound too costly to find: the scene then has to name its
+    /// capacity. More than 4,096 bounds, or a run of more than 65,000 frames in which particles
+    /// live without limit.
     pub fn new(scene: &Scene, frame_end: u32) -> Result<Self, PlanError> {
         Self::with_turns(scene, &[], frame_end)
     }
@@ -120,65 +98,129 @@ impl Plan {
     /// As [`Plan::new`]; also when a turn adds, removes or renames systems, or changes the image,
     /// the seed or the capacity, which hold for a whole run.
     pub fn with_turns(scene: &Scene, turns: &[Turn], frame_end: u32) -> Result<Self, PlanError> {
-        let mut variants = vec![Variant::new(0, scene)];
+        let mut scenes: Vec<&Scene> = vec![scene];
         for turn in turns {
             check_turn(scene, turn)?;
-            variants.push(Variant::new(turn.frame, &turn.scene));
+            scenes.push(&turn.scene);
         }
-        variants.sort_by_key(|variant| variant.first_frame);
-        let scenes: Vec<&Scene> = std::iter::once(scene)
-            .chain(turns.iter().map(|turn| &turn.scene))
-            .collect();
-        let lifetime_bound = bounds::lifetime_bound(&scenes);
-        let bound = bounds::capacity(&variants, lifetime_bound, frame_end.max(scene.frames));
-        let (capacity, may_drop) = match scene.capacity {
-            Some(capacity) => (capacity, !bound.is_ok_and(|most| most <= capacity)),
-            None => (bound?, false),
+        check_bounds(&scenes)?;
+        let first_frame = bounds::first_frame(&scenes);
+        let frame_end = frame_end.max(scene.frames);
+        let lifetime_bound = bounds::lifetime_bound(&scenes, first_frame, frame_end)?;
+        let mut variants = vec![(first_frame, scene.clone())];
+        variants.extend(
+            turns
+                .iter()
+                .map(|turn| (turn.frame as i32, turn.scene.clone())),
+        );
+        variants.sort_by_key(|(from, _)| *from);
+        let changes_rows = |scene: &&Scene| {
+            let owners = scene.tracks.iter().map(|track| track.owner);
+            owners
+                .into_iter()
+                .any(|owner| matches!(owner, Owner::System(_)))
         };
-        let row_count = if turns.is_empty() {
+        let row_count = if turns.is_empty() && !scenes.iter().any(changes_rows) {
             1
         } else {
             (lifetime_bound + 1).next_power_of_two()
         };
-        let uses = variants
-            .iter()
-            .flat_map(|variant| &variant.systems)
-            .map(|system| Uses::of(&system.row))
-            .fold(Uses::default(), Uses::and);
-        Ok(Self {
-            uses,
-            capacity,
-            may_drop,
+        let mut plan = Self {
+            capacity: 1,
+            may_drop: false,
             lifetime_bound,
             row_count,
             system_count: scene.systems.len() as u32,
             width: scene.image.width,
             height: scene.image.height,
+            uses: Uses::default(),
+            first_frame,
+            curve_points: curves::curve_points(&scenes),
             variants,
-        })
+        };
+        plan.uses = plan.uses_of_all();
+        let bound = plan.bound(frame_end);
+        (plan.capacity, plan.may_drop) = match scene.capacity {
+            Some(capacity) => (capacity, !bound.is_ok_and(|most| most <= capacity)),
+            None => (bound?, false),
+        };
+        Ok(plan)
+    }
+
+    /// What any frame uses: all features grow with the numbers that they are asked for by.
+    fn uses_of_all(&self) -> Uses {
+        let of = |(from, scene): &(i32, Scene)| {
+            let greatest = scene.greatest();
+            Uses::of(&inputs::frame_inputs(self, &greatest, *from))
+        };
+        self.variants
+            .iter()
+            .map(of)
+            .fold(Uses::default(), Uses::and)
+    }
+
+    fn bound(&self, frame_end: u32) -> Result<u32, PlanError> {
+        bounds::capacity(
+            |frame| bounds::births_bound(&self.scene_at(frame).at(f64::from(frame)), frame),
+            self.system_count as usize,
+            self.lifetime_bound,
+            self.first_frame,
+            frame_end,
+        )
+    }
+
+    /// The scene that holds at a frame.
+    fn scene_at(&self, frame: i32) -> &Scene {
+        let mut variants = self.variants.iter().rev();
+        let found = variants.find(|(from, _)| *from <= frame);
+        &found.unwrap_or(&self.variants[0]).1
     }
 
     /// Everything that reaches frame `frame` from outside; pure, so any frame can be asked for.
+    /// Frames before 0 are counted modulo 2^32.
     pub fn inputs(&self, frame: u32) -> FrameInputs {
-        let variant = self
-            .variants
-            .iter()
-            .rev()
-            .find(|variant| variant.first_frame <= frame)
-            .unwrap_or(&self.variants[0]);
-        inputs::frame_inputs(self, variant, frame)
+        let frame = frame.cast_signed();
+        inputs::frame_inputs(self, self.scene_at(frame), frame)
+    }
+
+    /// Names of the picture's layers: those of the scene and `rest`; `particles` alone if the scene
+    /// has none.
+    pub fn layer_names(&self) -> Vec<String> {
+        let layers = &self.variants[0].1.layers;
+        let names = layers.iter().map(|layer| layer.name.clone());
+        if layers.is_empty() {
+            return vec!["particles".into()];
+        }
+        names.chain(["rest".into()]).collect()
     }
 
     /// The earliest frame that a run has to step to have every particle of `frame` right, from an
     /// empty start, its deaths included: particles born before it are dead by then
     /// (Reeves 1983, section 3). Where births may be dropped, who is alive depends on all that
-    /// came before, and it is frame 0.
-    pub fn restart_frame(&self, frame: u32) -> u32 {
+    /// came before, and it is the first frame.
+    pub fn restart_frame(&self, frame: u32) -> i32 {
         if self.may_drop {
-            return 0;
+            return self.first_frame;
         }
-        frame.saturating_sub(self.lifetime_bound)
+        let earliest = i64::from(frame) - i64::from(self.lifetime_bound);
+        earliest.max(i64::from(self.first_frame)) as i32
     }
+}
+
+/// Whether all bounds of the scenes have room.
+fn check_bounds(scenes: &[&Scene]) -> Result<(), PlanError> {
+    let count = |scene: &&Scene| -> usize {
+        let systems = scene.systems.iter();
+        systems.map(|system| system.extinctions.len()).sum()
+    };
+    let most = scenes.iter().map(count).max().unwrap_or(0);
+    if most <= Plan::MOST_BOUNDS as usize {
+        return Ok(());
+    }
+    Err(PlanError {
+        message: format!("this scene has {most} extinctions by place in all"),
+        help: format!("at most {}", Plan::MOST_BOUNDS),
+    })
 }
 
 /// Whether the turn leaves alone what holds for a whole run of `scene`.
@@ -196,6 +238,7 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
             scene.image.height,
             scene.seed,
             scene.capacity,
+            scene.layers.len(),
         )
     };
     if names(scene) != names(&turn.scene) || fixed(scene) != fixed(&turn.scene) {
@@ -204,8 +247,8 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
                 "the change at frame {} alters what holds for a whole run",
                 turn.frame
             ),
-            help: "the list of systems and their names, the image size, the seed and the capacity \
-                   stay as the scene has them"
+            help: "the list of systems and their names, the number of layers, the image size, the seed \
+                   and the capacity stay as the scene has them"
                 .into(),
         });
     }

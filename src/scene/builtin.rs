@@ -27,7 +27,18 @@ macro_rules! builtin {
 }
 
 /// Every built-in scene, by name.
-pub const BUILTIN: &[BuiltinScene] = builtin!["fireworks", "fountain", "million"];
+pub const BUILTIN: &[BuiltinScene] = builtin![
+    "explosion",
+    "explosion-lines",
+    "fireworks",
+    "fireworks-green-blue",
+    "fireworks-multicolored",
+    "fireworks-red",
+    "fountain",
+    "million",
+    "smoke-ring",
+    "sparks-in-wind",
+];
 
 /// Bytes of a scene file at most.
 const MAX_BYTES: u64 = 1 << 20;
@@ -45,9 +56,9 @@ pub fn load(name_or_path: &str) -> Result<Scene, SceneError> {
 /// [`load`], with values changed before they are checked.
 ///
 /// Each of `sets` is `path.to.key=value`. The path's parts are keys, indices of arrays from 0, or
-/// names of systems: `image.width`, `system.0.speed.mean`, `system.jet.color.rate.2`. The value
-/// is TOML, or else a text that begins with a letter: `title=Fire`. It replaces whatever was
-/// there; later sets see what earlier ones did.
+/// names of systems and layers: `image.width`, `system.0.speed.mean`, `system.jet.speed.keys.1`.
+/// The value is TOML, or else a text that begins with a letter: `title=Fire`. It replaces whatever
+/// was there; later sets see what earlier ones did.
 ///
 /// # Errors
 /// As [`load`]; and if a set has no `=`, no value, or a path that leads nowhere. An error that

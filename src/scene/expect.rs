@@ -1,11 +1,11 @@
 //! What would be right for a key, in words, from its row in the [`schema`](super::schema).
 
-use super::schema::{Field, Kind, Limits};
+use super::schema::{Field, Kind, Limits, Presence, Variant};
 
 /// The key with a value that is right: `near = 0.1`.
 pub(super) fn example(field: &Field) -> String {
     match field.kind {
-        Kind::Tables { .. } => format!("`[[{}]]`", field.key),
+        Kind::Tables { .. } | Kind::List { .. } => format!("`[[{}]]`", field.key),
         _ => format!("`{} = {}`", field.key, field.sample()),
     }
 }
@@ -18,13 +18,20 @@ pub(super) fn expected(field: &Field) -> String {
         kind,
         unit,
         about,
-        ..
+        presence,
     } = field;
     let unit = match *unit {
         "" => String::new(),
         unit => format!(", {unit}"),
     };
-    format!("`{key}` ({about}) is {}{unit}", kind_in_words(kind))
+    let words = match (kind, presence) {
+        (Kind::Tables { fields, max }, Presence::Required(_)) => {
+            let max = digits(*max as f64);
+            format!("1 to {max} tables with the keys {}", keys(fields))
+        }
+        _ => kind_in_words(kind),
+    };
+    format!("`{key}` ({about}) is {words}{unit}")
 }
 
 fn kind_in_words(kind: &Kind) -> String {
@@ -40,6 +47,12 @@ fn kind_in_words(kind: &Kind) -> String {
                        characters"
             .to_owned(),
         Kind::Whole { min, max } => format!("a whole number {}", range(min as f64, max as f64)),
+        Kind::Wholes { min, max, most } => format!(
+            "an array of at most {} whole numbers in ascending order, each {}",
+            digits(most as f64),
+            range(f64::from(min), f64::from(max))
+        ),
+        Kind::Flag => "true or false".to_owned(),
         Kind::Numbers { count, limits } => numbers(count, limits),
         Kind::Randomised {
             count,
@@ -50,7 +63,10 @@ fn kind_in_words(kind: &Kind) -> String {
             let mean = numbers(count, mean);
             let var = range(var.min, var.max);
             let (key, rate) = match rate {
-                Some(rate) => (", rate", format!(", rate {}", range(rate.min, rate.max))),
+                Some(rate) => (
+                    ", rate, rate_var",
+                    format!(", rate {}", range(rate.min, rate.max)),
+                ),
                 None => ("", String::new()),
             };
             format!("{{ mean, var{key} }}, mean {mean}, var {var}{rate}; or the mean alone")
@@ -59,22 +75,29 @@ fn kind_in_words(kind: &Kind) -> String {
         Kind::Table(fields) => format!("a table with the keys {}", keys(fields)),
         Kind::Tables { fields, max } => {
             format!(
-                "1 to {} tables with the keys {}",
+                "at most {} tables with the keys {}",
                 digits(max as f64),
                 keys(fields)
             )
         }
-        Kind::Variants(variants) => {
-            let shapes = variants.iter().map(|variant| {
-                format!(
-                    "{{ kind = \"{}\", {} }}",
-                    variant.name,
-                    keys(variant.fields)
-                )
-            });
-            format!("one of {}", shapes.collect::<Vec<_>>().join(", "))
-        }
+        Kind::Variants(variants) => format!("one of {}", kinds(variants)),
+        Kind::List { variants, max } => format!(
+            "at most {} tables, each one of {}",
+            digits(max as f64),
+            kinds(variants)
+        ),
     }
+}
+
+fn kinds(variants: &[Variant]) -> String {
+    let shapes = variants.iter().map(|variant| {
+        format!(
+            "{{ kind = \"{}\", {} }}",
+            variant.name,
+            keys(variant.fields)
+        )
+    });
+    shapes.collect::<Vec<_>>().join(", ")
 }
 
 fn numbers(count: usize, limits: Limits) -> String {

@@ -9,7 +9,8 @@ use std::rc::Rc;
 use super::SceneError;
 use super::error::{did_you_mean, shortened};
 use super::expect::{example, expected};
-use super::schema::{Field, Limits, Presence};
+use super::schema::{Field, Kind, Limits, Presence};
+use super::tracks;
 use super::tree::{self, At, Entry, Node, Source, Value};
 
 /// A table whose keys are all known.
@@ -17,6 +18,8 @@ pub(super) struct Reader<'a> {
     path: String,
     fields: Cow<'a, [Field]>,
     node: &'a Node,
+    /// The key whose value stands in place of the whole table, if one does.
+    all: Option<&'static str>,
 }
 
 /// A value with its row in the schema and its path, such as `camera.position`.
@@ -52,7 +55,18 @@ impl<'a> Reader<'a> {
             let key = shortened(key);
             return Err(at.error(format!("there is no key `{key}` {place}"), help));
         }
-        Ok(Self { path, fields, node })
+        Ok(Self {
+            path,
+            fields,
+            node,
+            all: None,
+        })
+    }
+
+    /// The same where the key's value is written in place of the table, so that it has its path.
+    pub(super) fn all_is(self, key: &'static str) -> Self {
+        let all = Some(key);
+        Self { all, ..self }
     }
 
     /// Reads a key that has a value even if it is not written.
@@ -76,6 +90,11 @@ impl<'a> Reader<'a> {
         let field = *self.field(key);
         let path = self.path_of(key);
         if let Some(Entry { node, .. }) = self.node.entry(key) {
+            if tracks::is_animated(node) && never_changes(&field, node) {
+                let what = format!("`{path}` cannot change with the frame");
+                let help = format!("one value for all frames: {}", expected(&field));
+                return Err(node.at.error(what, help));
+            }
             return read(&Spot { path, field, node }).map(Some);
         }
         let Presence::Default(text) = field.presence else {
@@ -104,6 +123,18 @@ impl<'a> Reader<'a> {
         self.node.entry(key).is_some()
     }
 
+    /// Whether a value of these keys, or one in its table, changes with the frame.
+    pub(super) fn changes(&self, keys: &[&str]) -> bool {
+        let entries = keys.iter().filter_map(|key| self.node.entry(key));
+        entries
+            .map(|entry| &entry.node)
+            .any(|node| match &node.value {
+                Value::Table(_) if tracks::is_animated(node) => true,
+                Value::Table(parts) => parts.iter().any(|part| tracks::is_animated(&part.node)),
+                _ => false,
+            })
+    }
+
     /// Where the key's value stands, or the table if it is not written.
     pub(super) fn at(&self, key: &str) -> &At {
         let entry = self.node.entry(key);
@@ -114,6 +145,7 @@ impl<'a> Reader<'a> {
     pub(super) fn path_of(&self, key: &str) -> String {
         match self.path.as_str() {
             "" => key.to_owned(),
+            path if self.all == Some(key) => path.to_owned(),
             path => format!("{path}.{key}"),
         }
     }
@@ -137,13 +169,25 @@ impl<'a> Reader<'a> {
     }
 }
 
+/// Whether a table with `keys` in it can only be meant as a value that changes, where none can.
+fn never_changes(field: &Field, node: &Node) -> bool {
+    match field.kind {
+        Kind::Numbers { .. } | Kind::Randomised { .. } => false,
+        Kind::Table(_) | Kind::Tables { .. } | Kind::List { .. } => false,
+        Kind::Variants(_) => node.entry("kind").is_none(),
+        Kind::Text { .. } | Kind::Name | Kind::Whole { .. } => true,
+        Kind::Wholes { .. } | Kind::Flag | Kind::Choice(_) => true,
+    }
+}
+
 impl Spot<'_> {
     /// The error of a value of another kind than the schema says.
     pub(super) fn wrong_kind(&self) -> SceneError {
         self.wrong_kind_of(self.node, &self.path)
     }
 
-    fn wrong_kind_of(&self, node: &Node, path: &str) -> SceneError {
+    /// The same of a part of it, with its own path.
+    pub(super) fn wrong_kind_of(&self, node: &Node, path: &str) -> SceneError {
         let what = format!("`{path}` cannot be {}", node.describe());
         let help = format!("{}, as in {}", expected(&self.field), example(&self.field));
         node.at.error(what, help)

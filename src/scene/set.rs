@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use super::SceneError;
 use super::error::{did_you_mean, shortened};
+use super::tracks;
 use super::tree::{self, At, Entry, Node, Source, Value};
 
 /// What stands before the text in errors.
@@ -83,11 +84,11 @@ fn step<'a>(
     at: &At,
     parent: &str,
 ) -> Result<&'a mut Node, SceneError> {
-    let wrapped = matches!(
-        node.value,
-        Value::Whole(_) | Value::Number(_) | Value::Array(_)
-    ) && ["mean", "var", "rate"].contains(&name);
-    if wrapped {
+    let is_mean = match node.value {
+        Value::Whole(_) | Value::Number(_) | Value::Array(_) => true,
+        _ => tracks::is_animated(node),
+    };
+    if is_mean && ["mean", "var", "rate", "rate_var"].contains(&name) {
         // `speed = 0.1` stands for `speed = { mean = 0.1 }`, so it has a var to be set.
         *node = node.as_only_entry("mean");
     }

@@ -8,7 +8,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::SceneError;
 
-/// Tables and arrays inside each other, at most. The deepest key of a scene lies at 5.
+/// Tables and arrays inside each other, at most. The deepest value of a scene lies at 8.
 const MAX_DEPTH: usize = 16;
 
 /// A text that values come from.

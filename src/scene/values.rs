@@ -4,6 +4,7 @@ use super::error::{did_you_mean, shortened};
 use super::expect::expected;
 use super::read::{Reader, Spot};
 use super::schema::{Field, Kind, Variant};
+use super::tracks;
 use super::tree::{Entry, Value};
 use super::{Changing, SceneError, Spread};
 
@@ -36,25 +37,47 @@ impl Quantity for f32 {
         let Kind::Numbers { limits, .. } = spot.field.kind else {
             return Err(spot.wrong_kind());
         };
-        spot.one(spot.node, None, limits)
+        first_key(spot, |spot| spot.one(spot.node, None, limits))
     }
+}
+
+/// The value, or that of its first key if it changes with the frame; all keys are read.
+fn first_key<T>(
+    spot: &Spot<'_>,
+    read: impl Fn(&Spot<'_>) -> Result<T, SceneError>,
+) -> Result<T, SceneError> {
+    if !tracks::is_animated(spot.node) {
+        return read(spot);
+    }
+    let Spot { path, field, node } = spot;
+    let pairs = tracks::pairs(node, path)?.into_iter().enumerate();
+    let values = pairs.map(|(at, (_, node))| {
+        let path = format!("{path}.keys.{at}.1");
+        let field = *field;
+        read(&Spot { path, field, node })
+    });
+    let mut values = values.collect::<Result<Vec<T>, _>>()?;
+    Ok(values.swap_remove(0))
 }
 
 impl<const N: usize> Quantity for [f32; N] {
     fn read(spot: &Spot<'_>) -> Result<Self, SceneError> {
-        let (Kind::Numbers { limits, .. }, Value::Array(items)) =
-            (spot.field.kind, &spot.node.value)
-        else {
+        let Kind::Numbers { limits, .. } = spot.field.kind else {
             return Err(spot.wrong_kind());
         };
-        if items.len() != N {
-            return Err(spot.wrong_kind());
-        }
-        let mut numbers = [0.0; N];
-        for (i, (number, item)) in numbers.iter_mut().zip(items).enumerate() {
-            *number = spot.one(item, Some(i), limits)?;
-        }
-        Ok(numbers)
+        first_key(spot, |spot| {
+            let Value::Array(items) = &spot.node.value else {
+                return Err(spot.wrong_kind());
+            };
+            if items.len() != N {
+                return Err(spot.wrong_kind());
+            }
+            let mut numbers = [0.0; N];
+            for (i, (number, item)) in numbers.iter_mut().zip(items).enumerate() {
+                *number = spot.one(item, Some(i), limits)?;
+            }
+            Ok(numbers)
+        })
     }
 }
 
@@ -70,9 +93,12 @@ pub(super) fn spread<T: Quantity>(spot: &Spot<'_>) -> Result<Spread<T>, SceneErr
 pub(super) fn changing<T: Quantity>(spot: &Spot<'_>) -> Result<Changing<T>, SceneError> {
     randomised(spot, |table| {
         let (mean, var) = (table.must("mean", T::read)?, table.must("var", T::read)?);
-        let rate = table.must("rate", T::read)?;
         let initial = Spread { mean, var };
-        Ok(Changing { initial, rate })
+        Ok(Changing {
+            initial,
+            rate: table.must("rate", T::read)?,
+            rate_var: table.must("rate_var", T::read)?,
+        })
     })
 }
 
@@ -86,6 +112,7 @@ fn randomised<R>(
     };
     let fields = field.randomised_fields();
     let is_mean = match &node.value {
+        Value::Table(_) if tracks::is_animated(node) => true,
         Value::Table(_) => return read(&Reader::new(path.clone(), fields, node)?),
         Value::Whole(_) | Value::Number(_) => count == 1,
         Value::Array(items) => count == items.len() && count > 1,
@@ -95,7 +122,79 @@ fn randomised<R>(
         return Err(spot.wrong_kind());
     }
     let node = node.as_only_entry("mean");
-    read(&Reader::new(path.clone(), fields, &node)?)
+    read(&Reader::new(path.clone(), fields, &node)?.all_is("mean"))
+}
+
+/// Reads [`Kind::Wholes`].
+pub(super) fn wholes(spot: &Spot<'_>) -> Result<Vec<i32>, SceneError> {
+    let (Kind::Wholes { min, max, most }, Value::Array(items)) =
+        (spot.field.kind, &spot.node.value)
+    else {
+        return Err(spot.wrong_kind());
+    };
+    if items.len() > most {
+        return Err(spot.refuse(spot.node, &spot.path, "has too many numbers"));
+    }
+    let mut wholes = Vec::new();
+    for (at, item) in items.iter().enumerate() {
+        let path = format!("{}.{at}", spot.path);
+        let Value::Whole(value) = item.value else {
+            return Err(spot.wrong_kind_of(item, &path));
+        };
+        if !(i64::from(min)..=i64::from(max)).contains(&value) {
+            return Err(spot.refuse(item, &path, &format!("is out of range: {value}")));
+        }
+        let value = value as i32;
+        if wholes.last().is_some_and(|last| *last >= value) {
+            return Err(spot.refuse(item, &path, "is not greater than the one before"));
+        }
+        wholes.push(value);
+    }
+    Ok(wholes)
+}
+
+/// Reads [`Kind::Whole`] with a range inside that of i32.
+pub(super) fn signed32(spot: &Spot<'_>) -> Result<i32, SceneError> {
+    let (Kind::Whole { min, max }, Value::Whole(value)) = (spot.field.kind, &spot.node.value)
+    else {
+        return Err(spot.wrong_kind());
+    };
+    if !(min..=max).contains(value) {
+        return Err(spot.refuse(spot.node, &spot.path, &format!("is out of range: {value}")));
+    }
+    i32::try_from(*value).map_err(|_| spot.refuse(spot.node, &spot.path, "is too large"))
+}
+
+/// Reads [`Kind::Flag`].
+pub(super) fn flag(spot: &Spot<'_>) -> Result<bool, SceneError> {
+    match spot.node.value {
+        Value::Flag(flag) => Ok(flag),
+        _ => Err(spot.wrong_kind()),
+    }
+}
+
+/// Reads [`Kind::Tables`] or [`Kind::List`]: each table by `read`, which gets its index and spot.
+pub(super) fn list<T>(
+    spot: &Spot<'_>,
+    read: impl Fn(usize, &Spot<'_>) -> Result<T, SceneError>,
+) -> Result<Vec<T>, SceneError> {
+    let (most, kind) = match spot.field.kind {
+        Kind::Tables { max, .. } => (max, spot.field.kind),
+        Kind::List { variants, max } => (max, Kind::Variants(variants)),
+        _ => return Err(spot.wrong_kind()),
+    };
+    let Value::Array(nodes) = &spot.node.value else {
+        return Err(spot.wrong_kind());
+    };
+    if nodes.len() > most {
+        return Err(spot.wrong_kind());
+    }
+    let one = |(at, node)| {
+        let path = format!("{}.{at}", spot.path);
+        let field = Field { kind, ..spot.field };
+        read(at, &Spot { path, field, node })
+    };
+    nodes.iter().enumerate().map(one).collect()
 }
 
 /// Reads [`Kind::Choice`]: the position of the word among the choices.

@@ -1,16 +1,18 @@
 //! The library's front door: a scene under way on an adapter.
 
 mod error;
+mod lines;
 
 pub use error::SimulationError;
+pub use lines::Line;
 
 use crate::backend::Backend;
 use crate::cpu::CpuBackend;
-use crate::cpu::footprint::world_of;
 use crate::cpu::particle::{STREAM_PLACE, draw, identity_of, lifetime_of, row_index};
+use crate::cpu::projection::world_of;
 use crate::exact::dot3;
 use crate::gpu::{self, AdapterDescription, GpuBackend, GpuOptions};
-use crate::layout::{FrameStats, Particle, SystemRow};
+use crate::layout::{FrameStats, Particle, SHAPE_CURVE, SYSTEM_PARABOLIC, SystemFrame, SystemRow};
 use crate::plan::{FrameInputs, Plan, PlanError, Turn};
 use crate::scene::Scene;
 
@@ -76,7 +78,7 @@ pub struct Simulation {
     backend: Box<dyn Backend>,
     /// Inputs of the last frame stepped.
     inputs: Option<FrameInputs>,
-    next_frame: u32,
+    next_frame: i32,
 }
 
 /// The names of all adapters that a choice can name.
@@ -128,10 +130,10 @@ impl Simulation {
     /// On a backend of the caller's making.
     pub fn with_backend(plan: Plan, backend: Box<dyn Backend>) -> Self {
         Self {
+            next_frame: plan.first_frame,
             plan,
             backend,
             inputs: None,
-            next_frame: 0,
         }
     }
 
@@ -150,7 +152,7 @@ impl Simulation {
         self.backend.is_exact()
     }
 
-    /// The last frame that has been stepped.
+    /// The last frame that has been stepped; modulo 2^32 before frame 0.
     pub fn frame(&self) -> Option<u32> {
         self.inputs.as_ref().map(|inputs| inputs.frame.frame)
     }
@@ -160,7 +162,7 @@ impl Simulation {
     /// # Errors
     /// The machine fails.
     pub fn step(&mut self) -> Result<(), SimulationError> {
-        let inputs = self.plan.inputs(self.next_frame);
+        let inputs = self.plan.inputs(self.next_frame.cast_unsigned());
         self.step_with(inputs)
     }
 
@@ -178,20 +180,12 @@ impl Simulation {
                     .into(),
             }));
         }
-        let slots = self.plan.system_count as usize;
-        if inputs.systems.len() != slots || inputs.rows.len() != slots {
-            return Err(SimulationError::Plan(PlanError {
-                message: format!(
-                    "inputs for {} systems and {} rows",
-                    inputs.systems.len(),
-                    inputs.rows.len()
-                ),
-                help: format!("this plan has {slots} of each"),
-            }));
-        }
+        check_sizes(&self.plan, &inputs).map_err(SimulationError::Plan)?;
         // What holds for a whole run is the plan's: kernels index by it.
         inputs.frame = crate::layout::Frame {
-            frame: self.next_frame,
+            frame: self.next_frame.cast_unsigned(),
+            wind_count: inputs.winds.len() as u32,
+            layer_plane_count: inputs.layer_planes.len() as u32,
             ..self.plan.bounded(inputs.frame)
         };
         self.backend.step(&inputs)?;
@@ -214,11 +208,11 @@ impl Simulation {
     ///
     /// # Errors
     /// The machine fails.
-    pub fn seek_from(&mut self, first: u32, frame: u32) -> Result<(), SimulationError> {
+    pub fn seek_from(&mut self, first: i32, frame: u32) -> Result<(), SimulationError> {
         if self.inputs.is_none() {
             self.next_frame = first;
         }
-        while self.next_frame <= frame {
+        while i64::from(self.next_frame) <= i64::from(frame) {
             self.step()?;
         }
         Ok(())
@@ -235,6 +229,45 @@ impl Simulation {
         Ok(())
     }
 
+    /// Names of the picture's layers: those of the scene and `rest`; `particles` alone if the scene
+    /// has none.
+    pub fn layer_names(&self) -> Vec<String> {
+        self.plan.layer_names()
+    }
+
+    /// Draws one layer of the last frame stepped, on black: the light of the particles in it.
+    /// Layers sum to the whole, step by step of light.
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn draw_layer(&mut self, index: usize) -> Result<(), SimulationError> {
+        let Some(inputs) = &self.inputs else {
+            return Ok(());
+        };
+        let mut inputs = inputs.clone();
+        inputs.frame.background = [0.0; 4];
+        inputs.frame.layer = if inputs.layer_planes.is_empty() {
+            0
+        } else {
+            index as u32 + 1
+        };
+        self.backend.draw(&inputs)?;
+        Ok(())
+    }
+
+    /// The living as line segments, in storage order; without those that reach nearer than the
+    /// camera sees (Reeves 1983, 4.2).
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn lines(&mut self) -> Result<Vec<Line>, SimulationError> {
+        let mut lines = Vec::new();
+        self.for_each_particle(|particle, inputs, rows| {
+            lines.extend(lines::line_of(particle, inputs, rows));
+        })?;
+        Ok(lines)
+    }
+
     /// The image drawn last: RGBA, four bytes a pixel, rows from the top.
     ///
     /// # Errors
@@ -249,46 +282,34 @@ impl Simulation {
     /// # Errors
     /// The machine fails.
     pub fn particles(&mut self) -> Result<Vec<ParticleState>, SimulationError> {
+        let mut states = Vec::new();
+        self.for_each_particle(|particle, inputs, rows| {
+            states.push(state_of(particle, inputs, rows));
+        })?;
+        Ok(states)
+    }
+
+    /// Hands over the living, in storage order, each with the parameter rows of its birth frame.
+    fn for_each_particle(
+        &mut self,
+        mut take: impl FnMut(&Particle, &FrameInputs, &[SystemRow]),
+    ) -> Result<(), SimulationError> {
         let Some(inputs) = &self.inputs else {
-            return Ok(Vec::new());
+            return Ok(());
         };
         let words = self.backend.read("particles")?;
         let particles: Vec<Particle> = bytemuck::pod_collect_to_vec(&words);
-        // Rows of earlier frames, as far back as a particle can have been born.
-        let rows_of = |birth_frame: u32| self.plan.inputs(birth_frame).rows;
         let mut rows: Vec<SystemRow> = Vec::new();
         let mut rows_frame = None;
-        Ok(particles
-            .iter()
-            .map(|particle| {
-                let (who, age) = identity_of(particle, inputs);
-                if rows_frame != Some(who.birth_frame) {
-                    rows = rows_of(who.birth_frame);
-                    rows_frame = Some(who.birth_frame);
-                }
-                let slot = particle.slot();
-                let system = &inputs.systems[slot as usize];
-                let row = &rows[row_index(slot, 0, 0)];
-                let position = world_of(system, particle.position().into());
-                // A velocity only turns: taking the origin away again would cost it its last digits.
-                let turned = |[x, y, z, _]: [f32; 4]| {
-                    dot3(glam::Vec3::new(x, y, z), particle.velocity().into())
-                };
-                let velocity = glam::Vec3::new(
-                    turned(system.world_from_system_x),
-                    turned(system.world_from_system_y),
-                    turned(system.world_from_system_z),
-                );
-                ParticleState {
-                    position: position.into(),
-                    velocity: velocity.into(),
-                    age,
-                    lifetime: lifetime_of(who, row.speed_and_lifetime),
-                    system: slot,
-                    id: draw(who, STREAM_PLACE).x,
-                }
-            })
-            .collect())
+        for particle in &particles {
+            let (who, _) = identity_of(particle, inputs);
+            if rows_frame != Some(who.birth_frame) {
+                rows = self.plan.inputs(who.birth_frame).rows;
+                rows_frame = Some(who.birth_frame);
+            }
+            take(particle, inputs, &rows);
+        }
+        Ok(())
     }
 
     /// Statistics of all frames stepped since the last call.
@@ -314,6 +335,79 @@ impl Simulation {
     pub fn image_digest(&mut self) -> Result<u64, SimulationError> {
         Ok(self.backend.image_digest()?)
     }
+}
+
+/// A particle as people see it; `rows` are those of its birth frame.
+fn state_of(particle: &Particle, inputs: &FrameInputs, rows: &[SystemRow]) -> ParticleState {
+    let (who, age) = identity_of(particle, inputs);
+    let slot = particle.slot();
+    let system = &inputs.systems[slot as usize];
+    let row = &rows[row_index(slot, 0, 0)];
+    let position = world_of(system, particle.position().into());
+    // A velocity only turns: taking the origin away again would cost it its last digits.
+    let mut velocity = glam::Vec3::from(particle.velocity());
+    if system.flags & SYSTEM_PARABOLIC != 0 {
+        // What is stored is that halfway through the next frame.
+        velocity -= glam::Vec3::from_slice(&system.acceleration) * 0.5;
+    }
+    let turned = |[x, y, z, _]: [f32; 4]| dot3(glam::Vec3::new(x, y, z), velocity);
+    ParticleState {
+        position: position.into(),
+        velocity: [
+            turned(system.world_from_system_x),
+            turned(system.world_from_system_y),
+            turned(system.world_from_system_z),
+        ],
+        age,
+        lifetime: lifetime_of(who, row.speed_and_lifetime),
+        system: slot,
+        id: draw(who, STREAM_PLACE).x,
+    }
+}
+
+/// Whether lists of the caller's making are as long as the plan's, or as they can be.
+fn check_sizes(plan: &Plan, inputs: &FrameInputs) -> Result<(), PlanError> {
+    let refuse = |message: String, help: String| Err(PlanError { message, help });
+    let slots = plan.system_count as usize;
+    if inputs.systems.len() != slots || inputs.rows.len() != slots {
+        return refuse(
+            format!(
+                "inputs for {} systems and {} rows",
+                inputs.systems.len(),
+                inputs.rows.len()
+            ),
+            format!("this plan has {slots} of each"),
+        );
+    }
+    for (what, count, most) in [
+        ("bounds", inputs.bounds.len(), Plan::MOST_BOUNDS),
+        ("winds", inputs.winds.len(), Plan::MOST_WINDS),
+        ("layer planes", inputs.layer_planes.len(), Plan::MOST_LAYERS),
+    ] {
+        if count > most as usize {
+            return refuse(format!("{count} {what}"), format!("at most {most}"));
+        }
+    }
+    let end = |system: &SystemFrame| u64::from(system.first_bound) + u64::from(system.bound_count);
+    let last = inputs.systems.iter().map(end).max().unwrap_or(0);
+    if last > inputs.bounds.len() as u64 {
+        return refuse(
+            format!("a system's bounds end at {last}"),
+            format!("there are {}", inputs.bounds.len()),
+        );
+    }
+    let is_stored = |row: &SystemRow| {
+        let [_, first, len, _] = row.shape;
+        let stored = plan.curve_points.len() as f32;
+        row.kinds[0] != SHAPE_CURVE || (first >= 0.0 && len >= 1.0 && first + len < stored)
+    };
+    if !inputs.rows.iter().all(is_stored) {
+        return refuse(
+            "a row names points of curves that the plan has not".into(),
+            "give the plan a system that is born on that curve".into(),
+        );
+    }
+    Ok(())
 }
 
 /// All adapters, best first; the processor is not among them.

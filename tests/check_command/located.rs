@@ -37,6 +37,13 @@ fn replace(expression: &mut Expression, from: f32, to: f32) -> bool {
     }
 }
 
+/// The function whose name has that in it.
+fn function_named<'a>(module: &'a mut Module, name: &str) -> &'a mut naga::Function {
+    let is_named = |f: &&mut naga::Function| f.name.as_deref().is_some_and(|n| n.contains(name));
+    let functions = module.functions.iter_mut().map(|(_, f)| f);
+    functions.into_iter().find(is_named).expect("it is there")
+}
+
 /// The place that check names for a mutant, and the first frame that differs.
 fn place_of_mutant(kernel: &str, change: &dyn Fn(&mut Module)) -> (u32, Place) {
     let outcome = compare_with_mutant(&plan_of_everything(), kernel, change, 16);
@@ -91,8 +98,13 @@ fn a_defect_of_births_is_found_there() {
 
 #[test]
 fn a_defect_of_emit_is_found_there() {
-    // Speed is the mean less what is random of it.
-    let (frame, place) = place_of_mutant("particles/emit", &subtract_last);
+    // Cones of ejection open too far.
+    let (frame, place) = place_of_mutant("particles/emit", &|module| {
+        let ejected = function_named(module, "ejected");
+        let changed = ejected.expressions.iter_mut();
+        let changed = changed.filter_map(|(_, e)| replace(e, 1.0, 0.75).then_some(()));
+        assert!(changed.count() > 0);
+    });
     assert_eq!((place.stage, place.buffer, frame), ("emit", "particles", 0));
     assert!(
         place.element.field.starts_with("velocity"),
@@ -106,13 +118,8 @@ fn a_defect_of_emit_is_found_there() {
 fn a_defect_of_cull_is_found_there() {
     let (_, place) = place_of_mutant("particles/cull", &|module| {
         // age >= lifetime becomes age > lifetime.
-        let named = |name: &Option<String>| name.as_deref().is_some_and(|n| n.contains("survives"));
-        let functions = module.functions.iter_mut();
-        let survives = functions
-            .map(|(_, f)| f)
-            .find(|f| named(&f.name))
-            .expect("it is there");
-        let changed = survives.expressions.iter_mut().filter_map(|(_, e)| {
+        let fate_of = function_named(module, "fate_of");
+        let changed = fate_of.expressions.iter_mut().filter_map(|(_, e)| {
             swap(e, BinaryOperator::GreaterEqual, BinaryOperator::Greater).then_some(())
         });
         assert_eq!(changed.count(), 1);

@@ -27,7 +27,7 @@ fn shrunk_scenes_are_small_and_last_until_deaths() {
         let lifetime = scene
             .systems
             .iter()
-            .map(|system| system.lifetime.mean as u32)
+            .map(|system| system.lifetime.map_or(0, |life| life.mean as u32))
             .min();
         assert!(
             frames == scene.frames || lifetime.is_some_and(|l| l < frames),

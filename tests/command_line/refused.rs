@@ -189,7 +189,7 @@ fn an_unknown_adapter_is_answered_with_those_there_are() {
 #[test]
 fn an_output_that_cannot_be_is_refused_before_the_run() {
     let here = Workshop::new();
-    for ending in ["mp4", "exr", "svg"] {
+    for ending in ["mp4", "exr"] {
         let out = format!("a.{ending}");
         render_refused(
             &here,

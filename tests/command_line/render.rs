@@ -180,7 +180,8 @@ fn statistics_balance_and_name_every_frame() {
     let rows = rows_of(&here, "a.csv");
     assert_eq!(
         rows[0].join(","),
-        "frame,population,kind,requested,born,died,live,dropped,digest"
+        "frame,population,kind,requested,born,died,live,dropped,digest,\
+         died_of_age,died_of_intensity,died_of_bounds"
     );
     assert_eq!(rows.len() as u32, 1 + 2 * FRAMES);
     let mut live_before = 0;
@@ -194,6 +195,11 @@ fn statistics_balance_and_name_every_frame() {
         );
         assert_eq!(requested, born + dropped, "frame {frame}");
         assert_eq!(live, live_before + born - died, "frame {frame}");
+        assert_eq!(
+            died,
+            [9, 10, 11].map(count).iter().sum::<i64>(),
+            "frame {frame}"
+        );
         live_before = live;
         for population in ["particles", "image"] {
             let digest = &row(&rows, frame, population)[8];

@@ -4,7 +4,7 @@
 use motes::backend::Backend;
 use motes::plan::{FrameInputs, Plan, Turn};
 
-use super::{frames_of, on_cpu, scene_of};
+use super::{frames_of, on_cpu, scene_of, set_lifetime};
 
 /// A plan and frames whose numbers of particles present, the living and the newborn, are those of
 /// `totals`: to stand on the edges of words, runs, pages and levels of the scan. Where more are
@@ -104,12 +104,13 @@ generation_shape = {{ kind = "circle", radius = 0.{slot}5 }}
 ejection_angle_degrees = 30
 speed = {{ mean = 0.{slot}4, var = 0.05 }}
 lifetime = 1
-color = {{ mean = [0.3, 0.2, 0.{slot}1], var = [0.1, 0.2, 0.05], rate = [0.01, 0.02, 0.03] }}
-size = {{ mean = 0.0{slot}4, var = 0.02 }}
+color = {{ mean = [{red}, 0.2, 0.{slot}1], var = [0.1, 0.2, 0.05], rate = [0.01, 0.02, 0.03] }}
+size = {{ mean = 0.0{slot}4, var = 2 }}
 acceleration = [0.{slot}1, -0.02, 0.03]
 particle_shape = "{shape}"
 intensity_threshold = 0.3
 "#,
+            red = [0.3, 0.33, 0.2][slot as usize % 3],
             shape = ["streak", "rectangle", "sphere"][slot as usize % 3]
         )
     };
@@ -120,7 +121,7 @@ intensity_threshold = 0.3
     ));
     let mut turned = scene.clone();
     for system in &mut turned.systems {
-        system.lifetime.mean = (row_count as f32 - 1.0).max(1.0);
+        set_lifetime(system, (row_count as f32 - 1.0).max(1.0), 0.0);
         system.speed.mean = -0.3;
         system.color.initial.mean.reverse();
     }
@@ -132,5 +133,24 @@ intensity_threshold = 0.3
     let plan = Plan::with_turns(&scene, turns, 5).expect("the scene can be planned");
     assert_eq!((plan.system_count, plan.row_count), (count, row_count));
     let frames = frames_of(&plan, 5);
+    (plan, frames)
+}
+
+/// A plan of so many systems that the births they ask for do not fit 32 bits, and a frame of it.
+pub(crate) fn beyond_32_bits() -> (Plan, Vec<FrameInputs>) {
+    let system = |slot: u32| {
+        format!(
+            "[[system]]\nname = \"s{slot}\"\ninitial_mean_parts = 16e6\nspeed = 0.1\n\
+             generation_shape = {{ kind = \"sphere\", radius = 1 }}\nlifetime = 9\n\
+             color = [0.1, 0.1, 0.1]\nsize = 0.1\n"
+        )
+    };
+    let scene = scene_of(&format!(
+        "capacity = 100\n[image]\nwidth = 8\nheight = 8\n[camera]\nposition = [0, 0, 5]\n\
+         target = [0, 0, 0]\n{}",
+        (0..300).map(system).collect::<String>()
+    ));
+    let plan = Plan::new(&scene, 1).expect("the scene can be planned");
+    let frames = frames_of(&plan, 1);
     (plan, frames)
 }

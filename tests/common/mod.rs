@@ -8,6 +8,7 @@ mod edges;
 mod probes;
 mod scenes;
 pub(crate) mod statistics;
+mod windy;
 mod work;
 
 use std::sync::{Mutex, PoisonError};
@@ -22,6 +23,7 @@ pub(crate) use arguments::*;
 pub(crate) use edges::*;
 pub(crate) use probes::*;
 pub(crate) use scenes::*;
+pub(crate) use windy::*;
 pub(crate) use work::*;
 
 /// Adapters that tests run on: llvmpipe and SwiftShader, or those that the variable

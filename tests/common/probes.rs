@@ -1,15 +1,19 @@
 //! Every function of the shared libraries, in WGSL and in Rust, to be evaluated on the same
 //! arguments by an adapter and by the processor.
 
+mod structs;
+
 use glam::{Vec2, Vec3};
 use motes::cpu::light::{light_of, steps_of};
 use motes::exact::*;
 use motes::gpu::dispatch::dispatch_for;
 use motes::gpu::shader::{CompileOptions, CompiledKernel, ShaderError, compile_source};
+use motes::noise::noise;
 use motes::rng::{pcg4d, signed_float, signed4, unit_float, unit4};
 use motes::transcendental::*;
 
 use super::Arguments;
+use structs::*;
 
 /// One word that both sides compute: an expression in WGSL and its twin.
 pub(crate) type Probe = (&'static str, fn(&Arguments) -> u32);
@@ -134,6 +138,39 @@ pub(crate) static PROBES: &[ProbeKernel] = &[
         ("steps_of(a)", |r| steps_of(r.a)),
         ("bits(light_of(w, i))", |r| bits(light_of(r.w, r.i))),
         ("bits(light_of(w, i >> 28u))", |r| bits(light_of(r.w, r.i >> 28))),
+    ] },
+    ProbeKernel { name: "probe/noise", imports: NOISE_IMPORTS, libraries: &["motes::noise"], probes: &[
+        ("bits(corner_gradient(w, i, w >> 7u, i ^ w).x)", |r| bits(corner(r).x)),
+        ("bits(corner_gradient(w, i, w >> 7u, i ^ w).y)", |r| bits(corner(r).y)),
+        ("bits(corner_gradient(w, i, w >> 7u, i ^ w).z)", |r| bits(corner(r).z)),
+        // Anywhere; with ties, on corners and edges; near the origin.
+        ("bits(noise(vec3f(c, d, c * 0.37f - d), i).x)", |r| bits(anywhere(r).x)),
+        ("bits(noise(vec3f(c, d, c * 0.37f - d), i).y)", |r| bits(anywhere(r).y)),
+        ("bits(noise(vec3f(c, d, c * 0.37f - d), i).z)", |r| bits(anywhere(r).z)),
+        ("bits(noise(vec3f(c, d, c * 0.37f - d), i).w)", |r| bits(anywhere(r).w)),
+        ("bits(noise(cdd, w).x)", |r| bits(noise(r.cdd(), r.w).x)),
+        ("bits(noise(cdd, w).w)", |r| bits(noise(r.cdd(), r.w).w)),
+        ("bits(noise(vec3f(d, c, c) * 0.01f, w).y)",
+            |r| bits(noise(Vec3::new(r.d, r.c, r.c) * 0.01, r.w).y)),
+        ("bits(noise(clamp3(abc, vec3f(-99.0f), vec3f(99.0f)), 7u).z)",
+            |r| bits(noise(clamp3(r.abc(), Vec3::splat(-99.0), Vec3::splat(99.0)), 7).z)),
+    ] },
+    ProbeKernel { name: "probe/wind", imports: WIND_IMPORTS, libraries: &["motes::wind"], probes: &[
+        ("bits(flow(0u, c, d, w, i).y)", |r| bits(flow(r, 0).y)),
+        ("bits(flow(1u, c, d, w, i).x)", |r| bits(flow(r, 1).x)),
+        ("bits(flow(1u, c, d, w, i).y)", |r| bits(flow(r, 1).y)),
+        ("bits(flow(1u, c, d, w, i).z)", |r| bits(flow(r, 1).z)),
+        ("bits(flow(2u, c, d, w, i).x)", |r| bits(flow(r, 2).x)),
+        ("bits(flow(2u, c, d, w, i).z)", |r| bits(flow(r, 2).z)),
+        ("bits(flow(3u, c, d, w, i).y)", |r| bits(flow(r, 3).y)),
+        ("bits(flow(3u, c, d, w, i).z)", |r| bits(flow(r, 3).z)),
+        ("bits(flow(4u, c, d, w, i).x)", |r| bits(flow(r, 4).x)),
+        ("bits(flow(4u, c, d, w, i).z)", |r| bits(flow(r, 4).z)),
+        ("bits(flow(5u, c, d, w, i).y)", |r| bits(flow(r, 5).y)),
+        ("bits(flow(5u, c, d, w, i).z)", |r| bits(flow(r, 5).z)),
+    ] },
+    ProbeKernel { name: "probe/area", imports: AREA_IMPORTS, libraries: &["motes::area"], probes: &[
+        ("bits(area_px(c, d, w, i))", |r| bits(area_px(r))),
     ] },
 ];
 

@@ -1,12 +1,12 @@
 //! Scenes to test on: small, and made to reach every branch.
 
 use motes::plan::{FrameInputs, Plan, Turn};
-use motes::scene::{self, Scene};
+use motes::scene::{self, Scene, Spread, System};
 
 /// One system of [`everything`] on its own cannot reach all branches; together they do:
 /// all generation and particle shapes, both kinds of streak light, both roundings, births that
 /// vary, grow, shrink and stop, rates of both signs, negative speeds, thresholds, transparencies
-/// that clamp, particles off-screen, behind the camera and across its near plane, discs larger
+/// that clamp, particles off-screen, on the picture's edges, behind the camera and across its near plane, discs larger
 /// than the picture and smaller than a pixel, particles at rest, sums of light that carry in one channel or in all.
 const EVERYTHING: &str = r#"
 frames = 16
@@ -68,6 +68,7 @@ ejection_angle_degrees = 180
 speed = { mean = 0.08, var = 0.08 }
 lifetime = { mean = 8, var = 2 }
 color = { mean = [0.1, 0.02, 0.05], var = [0.1, 0.02, 0.05] }
+transparency = { mean = 0.1, var = 0.1, rate = -0.05 }
 size = { mean = 0.06, var = 0.05, rate = 0.003 }
 particle_shape = "rectangle"
 
@@ -172,6 +173,19 @@ size = { mean = 0.08, var = 0.02 }
 particle_shape = "rectangle"
 
 [[system]]
+name = "backdrop"
+position = [0, 0.2, -1]
+rotation_degrees = [-10, 15]
+initial_mean_parts = 90
+generation_shape = { kind = "rectangle", length = 14, width = 9 }
+speed = 0.01
+lifetime = { mean = 6, var = 2 }
+color = { mean = [0.2, 0.25, 0.15], var = [0.4, 0.4, 0.4], rate = [0.05, 0.04, 0.06] }
+transparency = { mean = 0.5, var = 0.3, rate = 0.2 }
+intensity_threshold = 0
+size = { mean = 0.02, var = 0.015 }
+
+[[system]]
 name = "dust"
 position = [0.3, 0.3, 0]
 rotation_degrees = [15, 40]
@@ -223,7 +237,9 @@ pub(crate) fn everything_turning(scene: &Scene) -> Plan {
             for system in &mut scene.systems {
                 system.color.initial.mean.rotate_left(1);
                 system.speed.mean *= -0.5;
-                system.lifetime.mean += 1.0;
+                if let Some(lifetime) = &mut system.lifetime {
+                    lifetime.mean += 1.0;
+                }
             }
         }),
         turn(4, &|scene| {
@@ -245,6 +261,11 @@ pub(crate) fn everything_turning(scene: &Scene) -> Plan {
     Plan::with_turns(scene, &turns, scene.frames).expect("the scene can be planned")
 }
 
+/// Gives particles that are born from now on a lifetime.
+pub(crate) fn set_lifetime(system: &mut System, mean: f32, var: f32) {
+    system.lifetime = Some(Spread { mean, var });
+}
+
 /// The inputs of the first `count` frames of a plan.
 pub(crate) fn frames_of(plan: &Plan, count: u32) -> Vec<FrameInputs> {
     (0..count).map(|frame| plan.inputs(frame)).collect()
@@ -261,7 +282,7 @@ pub(crate) fn large_shapes(width: u32, height: u32) -> Scene {
              transparency = {{ mean = 0.3, var = 0.2 }}\n{rest}\n"
         )
     };
-    let streak = "speed = { mean = 2, var = 1 }\nsize = { mean = 0.5, var = 0.3 }\n\
+    let streak = "speed = { mean = 2, var = 1 }\nsize = { mean = 0.9, var = 0.6 }\n\
                   acceleration = [0.3, -0.2, 0.1]\nparticle_shape = \"streak\"\n";
     let large = "speed = 0.01\nsize = { mean = 1, var = 0.7 }\n";
     let systems = [

@@ -28,6 +28,9 @@ const SAMPLE: usize = 12;
 /// Sets of arguments that a probe kernel is tried on.
 const PROBE_ARGUMENTS: u32 = 60_000;
 
+/// Rounds that the loops of a probed function make at most in one invocation.
+const PROBE_ROUNDS: u32 = 1000;
+
 /// How the changes of one file fared.
 #[derive(Default)]
 struct Tally {
@@ -153,6 +156,7 @@ fn every_change_of_a_probed_library_is_seen() {
                 if let Some(site) = site {
                     site.apply(module);
                 }
+                budget::bound_loops(module, PROBE_ROUNDS);
             };
             let kernel = probe.compile(&CompileOptions {
                 workgroup_size: 64,

@@ -7,6 +7,7 @@ use motes::gpu::shader::{self, Access, CompileOptions};
 use motes::gpu::{GpuBackend, GpuDevice, GpuOptions, STAGE_KERNELS};
 use motes::layout::Counts;
 use motes::plan::{FrameInputs, Plan, STAGES};
+use motes::scene::Scene;
 
 use crate::common::*;
 
@@ -18,6 +19,7 @@ pub(crate) struct Trial {
     pub(crate) name: &'static str,
     cut: Cut,
     page_bytes: u64,
+    draws: bool,
     plan: Plan,
     frames: Vec<Told>,
 }
@@ -49,8 +51,22 @@ impl Trial {
             name,
             cut,
             page_bytes,
+            draws: true,
             plan,
             frames,
+        }
+    }
+
+    /// A trial of the simulation alone.
+    fn undrawn(
+        name: &'static str,
+        run: (Plan, Vec<FrameInputs>),
+        workgroup_size: u32,
+        page_bytes: u64,
+    ) -> Self {
+        Self {
+            draws: false,
+            ..Self::new(name, run, workgroup_size, page_bytes)
         }
     }
 
@@ -76,7 +92,7 @@ impl Trial {
     pub(crate) fn difference(&self, backend: &mut GpuBackend) -> Option<String> {
         self.frames.iter().find_map(|told| {
             let frame = told.inputs.frame.frame;
-            match frame_difference(backend, told) {
+            match frame_difference(backend, told, self.draws) {
                 Ok(None) => None,
                 Ok(Some(difference)) => Some(format!("frame {frame}, {difference}")),
                 Err(e) => Some(format!("frame {frame}: {e}")),
@@ -150,8 +166,12 @@ fn listing_kernels() -> &'static [&'static str] {
 fn frame_difference(
     gpu: &mut GpuBackend,
     told: &Told,
+    draws: bool,
 ) -> Result<Option<String>, motes::backend::BackendError> {
     for (at, one) in STAGE_KERNELS.iter().enumerate() {
+        if one.stage.info().draws && !draws {
+            break;
+        }
         gpu.run_kernel(one.kernel, &told.inputs)?;
         let lists = match one.kernel {
             "systems/offsets" => Some((0, &told.after_offsets)),
@@ -185,7 +205,10 @@ fn frame_difference(
             }
         }
     }
-    let digests = (gpu.state_digest()?, gpu.image_digest()?);
+    let mut digests = (gpu.state_digest()?, told.digests.1);
+    if draws {
+        digests.1 = gpu.image_digest()?;
+    }
     if digests != told.digests {
         return Ok(Some(format!(
             "digests {digests:x?} instead of {:x?}",
@@ -199,26 +222,42 @@ fn frame_difference(
 
 /// All trials, those that catch most at least cost first.
 pub(crate) fn trials() -> Vec<Trial> {
-    let turning = |scene| {
+    let turning = |scene: &Scene, count| {
         let plan = everything_turning(scene);
-        let frames = frames_of(&plan, 10);
+        let frames = frames_of(&plan, count);
         (plan, frames)
     };
-    let large = everything_turning(&large_shapes(120, 90));
-    let large_frames = frames_of(&large, 4);
-    const PAGE: u64 = 64 << 10;
+    // Pages as small as they can be, and one for all: llvmpipe keeps something of every dispatch
+    // that draws on several pages, so those are few.
+    const SMALL: u64 = 64 << 10;
+    const LARGE: u64 = 1 << 30;
     vec![
-        Trial::new("everything", turning(&everything()), 64, PAGE),
-        Trial::new("large shapes", (large, large_frames), 64, PAGE),
-        Trial::new("dropped", turning(&everything_within(2500)), 24, PAGE),
-        Trial::new("extreme at 65,536", adversarial(1, 65_531, 8), 64, PAGE),
-        Trial::new("extreme at 256", adversarial(2, 252, 8), 64, PAGE),
-        Trial::new("one system", few_systems(1, 1), 64, PAGE),
-        Trial::new("one system, turning", few_systems(1, 2), 64, PAGE),
-        Trial::new("two systems", few_systems(2, 1), 64, PAGE),
-        Trial::new("two systems, turning", few_systems(2, 2), 64, PAGE),
-        Trial::new("edges", counted(EDGES_CAPACITY, EDGES), 64, PAGE),
-        Trial::new("generations", generations(GENERATIONS), 64, PAGE),
-        Trial::new("crowd", counted(CROWD_CAPACITY, CROWD), 8, 1 << 30),
+        Trial::new("everything", turning(&everything(), 10), 64, LARGE),
+        Trial::new("windy", windy_frames(false, 12), 64, LARGE),
+        Trial::new("windy, flat", windy_frames(true, 12), 64, LARGE),
+        Trial::new(
+            "large shapes",
+            turning(&large_shapes(300, 80), 4),
+            64,
+            LARGE,
+        ),
+        // Workgroups that no page is a multiple of, and words of bits without room to spare.
+        Trial::new("dropped", turning(&everything_within(2560), 6), 24, SMALL),
+        Trial::new("extreme at 65,536", adversarial(1, 65_531, 8), 64, LARGE),
+        Trial::new("extreme at 256", adversarial(2, 252, 8), 64, LARGE),
+        Trial::new("one system", few_systems(1, 1), 64, LARGE),
+        Trial::new("one system, turning", few_systems(1, 2), 64, LARGE),
+        Trial::new("two systems", few_systems(2, 1), 64, LARGE),
+        Trial::new("two systems, turning", few_systems(2, 2), 64, LARGE),
+        Trial::undrawn("edges", counted(EDGES_CAPACITY, EDGES), 64, SMALL),
+        Trial::undrawn(
+            "edges, other groups",
+            counted(EDGES_CAPACITY, EDGES),
+            24,
+            SMALL,
+        ),
+        Trial::undrawn("generations", generations(GENERATIONS), 64, SMALL),
+        Trial::undrawn("beyond 32 bits", beyond_32_bits(), 64, LARGE),
+        Trial::undrawn("crowd", counted(CROWD_CAPACITY, CROWD), 8, LARGE),
     ]
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use motes::layout::Particle;
 use motes::scene::Scene;
 
-use crate::common::everything;
+use crate::common::{everything, set_lifetime};
 use crate::support::{Run, on_every_backend};
 
 /// Who a particle is, by its system's name, birth frame and index.
@@ -76,7 +76,7 @@ fn r74_lifetimes_and_births_do_not_change_the_others() {
     let long = everything();
     let mut short = everything();
     for system in &mut short.systems {
-        (system.lifetime.mean, system.lifetime.var) = (3.0, 0.0);
+        set_lifetime(system, 3.0, 0.0);
         system.births.initial_mean_parts *= 0.5;
         (system.births.delta_mean_parts, system.births.var_parts) = (0.0, 0.0);
     }
@@ -85,7 +85,7 @@ fn r74_lifetimes_and_births_do_not_change_the_others() {
         scene
             .systems
             .iter_mut()
-            .for_each(|s| (s.lifetime.mean, s.lifetime.var) = (9.0, 0.0));
+            .for_each(|s| set_lifetime(s, 9.0, 0.0));
         scene
     };
     let (short, long) = (

@@ -5,7 +5,7 @@ use motes::recording::{Change, Checkpoint, Recording};
 use motes::scene::{self, Scene};
 use motes::simulation::{AdapterChoice, Options, Simulation};
 
-use crate::common::{everything, everything_turning};
+use crate::common::{everything, everything_turning, set_lifetime};
 use crate::support::{Run, on_every_backend};
 
 /// Digests of state and image after `frame`, with everything drawn on the way.
@@ -32,7 +32,7 @@ fn r73_a_restart_at_any_frame_equals_the_whole_run() {
     let everything = everything();
     let mut short = everything.clone();
     for system in &mut short.systems {
-        (system.lifetime.mean, system.lifetime.var) = (4.0, 3.0);
+        set_lifetime(system, 4.0, 3.0);
     }
     for (scene, longest) in [(&everything, 14), (&short, 7)] {
         let plan = plan_of(scene);
@@ -70,7 +70,7 @@ fn r73_the_longest_lifetime_is_waited_for_and_no_longer() {
     assert_eq!(plan.restart_frame(20), 14);
     on_every_backend(|on| {
         let whole = whole_run(on, &plan, 20);
-        let from = |first: u32| {
+        let from = |first: i32| {
             let mut run = Run::of_plan(on, plan.clone());
             run.simulation
                 .seek_from(first, 20)

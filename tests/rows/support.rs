@@ -280,3 +280,18 @@ pub(crate) fn assert_within(what: &str, got: f64, expected: f64, share: f64) {
         off * 100.0
     );
 }
+
+impl Run {
+    /// Births asked for in the last frame stepped, system by system.
+    pub(crate) fn births_by_system(&mut self) -> Vec<u32> {
+        let births = self.backend.read("birth_counts");
+        births.expect("births can be read")
+    }
+
+    /// Steps from wherever the run is until `frame` has been stepped, which may be before frame 0.
+    pub(crate) fn step_through(&mut self, frame: i32) {
+        while self.simulation.frame() != Some(frame.cast_unsigned()) {
+            self.simulation.step().expect("the backend steps");
+        }
+    }
+}

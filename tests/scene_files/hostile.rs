@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use motes::scene::{BUILTIN, load_with, parse};
 
-use crate::text::{FILE, FULL, MINIMAL};
+use crate::text::{FILE, FULL, KEYED, MINIMAL};
 
 /// The `count`th of a fixed sequence of numbers that look random (splitmix64).
 fn random(count: u64) -> u64 {
@@ -60,7 +60,7 @@ fn a_spoiled_scene_is_a_scene_or_an_error_with_a_line() {
     let texts: Vec<&str> = BUILTIN
         .iter()
         .map(|s| s.text)
-        .chain([FULL, MINIMAL])
+        .chain([FULL, KEYED, MINIMAL])
         .collect();
     let (mut accepted, mut refused) = (0, 0);
     for case in 0..4000_u64 {
@@ -102,6 +102,7 @@ fn a_spoiled_set_is_a_scene_or_an_error() {
         "system.0.speed.mean=0.2",
         "camera.position=[0, 1, 5]",
         "title=x",
+        "system.0.size={ keys = [[0, 1], [9, 2]], interpolation = 'step' }",
     ];
     for case in 0..2000_u64 {
         let set = spoiled(sets[case as usize % sets.len()], case);

@@ -2,9 +2,14 @@
 //! and what would be right.
 
 mod hostile;
+mod keyed;
+mod keyed_rules;
 mod keys;
+mod kinds;
 mod load;
 mod presence;
+mod reach;
 mod rules;
 mod set;
 mod text;
+mod tracks;

@@ -4,22 +4,9 @@ use motes::scene::parse;
 use motes::scene::schema::{self, Field, Kind, Presence};
 
 use crate::keys::KEYS;
-use crate::text::{FILE, FULL, line_of, refused, with, with_line_before, without};
-
-fn fields_of(section: &str) -> &'static [Field] {
-    match section {
-        "" => schema::SCENE,
-        "image" => schema::IMAGE,
-        "camera" => schema::CAMERA,
-        "system" => schema::SYSTEM,
-        _ => {
-            let variant = schema::GENERATION_SHAPES
-                .iter()
-                .find(|shape| shape.name == section);
-            variant.expect("a section is a table or a shape").fields
-        }
-    }
-}
+use crate::text::{
+    FILE, accepted, fields_of, header_of, line_of, refused, with, with_line_before, without,
+};
 
 #[test]
 fn every_sample_of_the_schema_is_right() {
@@ -29,19 +16,21 @@ fn every_sample_of_the_schema_is_right() {
             .find(|field| field.key == key)
             .expect("a field");
         let text = with(section, key, field.sample());
-        assert!(
-            parse(&text, FILE, "some").is_ok(),
-            "{section}.{key} = {}",
-            field.sample()
-        );
+        accepted(&text);
     }
     // Tables' samples are a whole scene together.
-    let is_table = |field: &&Field| matches!(field.kind, Kind::Table(_) | Kind::Tables { .. });
+    let is_table = |field: &&Field| {
+        let kind = field.kind;
+        matches!(
+            kind,
+            Kind::Table(_) | Kind::Tables { .. } | Kind::List { .. }
+        )
+    };
     let tables = schema::SCENE.iter().filter(is_table);
     let text: String = tables
         .map(|field| format!("{} = {}\n", field.key, field.sample()))
         .collect();
-    assert!(parse(&text, FILE, "some").is_ok(), "{text}");
+    accepted(&text);
 }
 
 #[test]
@@ -72,6 +61,23 @@ fn unknown_keys_are_refused_with_the_nearest() {
             "end_fram",
             Some("end_frame"),
         ),
+        ("burst", "frame", "part = 3", "part", Some("parts")),
+        (
+            "extinction.sphere",
+            "radius",
+            "centre = 1",
+            "centre",
+            Some("center"),
+        ),
+        (
+            "wind.noise",
+            "octaves",
+            "octave = 1",
+            "octave",
+            Some("octaves"),
+        ),
+        ("wind.vortex", "axis", "velocity = 1", "velocity", None),
+        ("layer", "normal", "norml = 1", "norml", Some("normal")),
     ];
     for (section, key, line, name, nearest) in cases {
         let error = refused(&with_line_before(section, key, line));
@@ -103,7 +109,7 @@ fn unknown_keys_are_refused_with_the_nearest() {
 fn only_what_is_required_must_be_written() {
     for &(section, key, ..) in KEYS {
         let fields = match section {
-            "sphere" | "circle" | "rectangle" => continue,
+            _ if section.starts_with("generation_shape.") => continue,
             "system" if key.ends_with("_per_area") => continue,
             _ => fields_of(section),
         };
@@ -123,15 +129,82 @@ fn only_what_is_required_must_be_written() {
                 error.help().starts_with(&format!("add `{key} = ")),
                 "{error}"
             );
-            let header = FULL
-                .lines()
-                .position(|line| line.contains(&format!("[{section}]")));
-            assert_eq!(error.line(), header.map(|index| index + 1), "{error}");
+            assert_eq!(error.line(), Some(header_of(section, key)), "{error}");
         } else {
             assert!(result.is_ok(), "{key}: {result:?}");
+        }
+    }
+    // Each kind of shape has keys of its own, and each shape a kind.
+    for shape in schema::GENERATION_SHAPES {
+        for left_out in shape.fields {
+            let others = shape
+                .fields
+                .iter()
+                .filter(|field| field.key != left_out.key);
+            let others = others.map(|field| format!(", {} = {}", field.key, field.sample()));
+            let others: String = others.collect();
+            let value = format!("{{ kind = \"{}\"{others} }}", shape.name);
+            let error = refused(&with("system", "generation_shape", &value));
+            let what = format!(
+                "`system.first.generation_shape.{}` is missing",
+                left_out.key
+            );
+            assert!(error.message().contains(&what), "{error}");
+            let line = line_of("system", "generation_shape");
+            assert_eq!(error.line(), Some(line), "{error}");
         }
     }
     let error = refused("title = \"x\"\n");
     assert!(error.message().contains("`camera` is missing"), "{error}");
     assert_eq!((error.line(), error.column()), (Some(1), Some(1)));
+}
+
+#[test]
+fn every_table_with_a_kind_must_have_a_known_one() {
+    // A key of such a table, its path, a word near a kind, and that kind.
+    let cases = [
+        ("wind.curl", "strength", "wind.8", "crul", "curl"),
+        ("wind.sink", "position", "wind.5", "sinc", "sink"),
+        (
+            "extinction.plane",
+            "point",
+            "system.first.extinction.1",
+            "plain",
+            "plane",
+        ),
+    ];
+    for (section, key, path, word, kind) in cases {
+        let header = header_of(section, key);
+        let mut lines: Vec<String> = with_line_before(section, key, "#")
+            .lines()
+            .map(str::to_owned)
+            .collect();
+        assert_eq!(lines[header], format!("kind = \"{kind}\""));
+        lines[header] = format!("kind = \"{word}\"");
+        let error = refused(&lines.join("\n"));
+        let what = format!("`{path}.kind` cannot be \"{word}\"");
+        assert!(error.message().contains(&what), "{error}");
+        assert!(
+            error.help().contains(&format!("did you mean `{kind}`?")),
+            "{error}"
+        );
+        assert_eq!(
+            (error.line(), error.column()),
+            (Some(header + 1), Some(8)),
+            "{error}"
+        );
+        lines[header] = String::new();
+        let error = refused(&lines.join("\n"));
+        assert!(
+            error
+                .message()
+                .contains(&format!("`{path}.kind` is missing")),
+            "{error}"
+        );
+        assert!(
+            error.help().contains(&format!("{{ kind = \"{kind}\", ")),
+            "{error}"
+        );
+        assert_eq!(error.line(), Some(header), "{error}");
+    }
 }

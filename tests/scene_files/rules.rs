@@ -1,177 +1,10 @@
-//! What a right scene is read as, and rules that hold between keys.
+//! Rules that hold between keys.
 
+use motes::scene::BirthUnit;
+use motes::scene::parse;
 use motes::scene::schema::{self, Kind};
-use motes::scene::{
-    BirthRounding, BirthUnit, Births, Camera, Changing, GenerationShape, Image, ParticleShape,
-    Spread, StreakLight, parse,
-};
 
-use crate::text::{FILE, FULL, MINIMAL, line_of, refused, with};
-
-#[test]
-fn every_key_reaches_its_place() {
-    let scene = parse(FULL, FILE, "some").expect("the full scene is right");
-    assert_eq!(scene.name, "some");
-    assert_eq!(scene.title, "All of it");
-    assert_eq!(scene.description, "Two lines:\nof text.");
-    assert_eq!((scene.frames, scene.frame_rate), (10, 30));
-    assert_eq!((scene.seed, scene.capacity), (0xfeed, Some(200_000)));
-    let image = Image {
-        width: 640,
-        height: 360,
-        background: [0.0, 0.5, 1.0],
-        shutter: 0.48,
-    };
-    assert_eq!(scene.image, image);
-    let camera = Camera {
-        position: [0.0, 1.0, 5.0],
-        target: [0.0; 3],
-        up: [0.5, 1.0, 0.0],
-        vertical_fov_degrees: 60.0,
-        near: 0.01,
-    };
-    assert_eq!(scene.camera, camera);
-    let [first, second] = &scene.systems[..] else {
-        panic!("there are two systems");
-    };
-    assert_eq!(
-        (first.name.as_str(), second.name.as_str()),
-        ("first", "second")
-    );
-    assert_eq!(first.position, [1.0, 2.0, 3.0]);
-    assert_eq!(first.rotation_degrees, [-90.0, 45.5]);
-    assert_eq!((first.first_frame, first.end_frame), (3, Some(9)));
-    let births = Births {
-        per: BirthUnit::Frame,
-        initial_mean_parts: 100.5,
-        delta_mean_parts: -2.0,
-        var_parts: 20.0,
-    };
-    assert_eq!(first.births, births);
-    assert_eq!(first.birth_rounding, BirthRounding::Nearest);
-    let rectangle = GenerationShape::Rectangle {
-        length: 2.0,
-        width: 0.5,
-    };
-    assert_eq!(first.generation_shape, rectangle);
-    assert_eq!(first.ejection_angle_degrees, 30.0);
-    assert_eq!(
-        first.speed,
-        Spread {
-            mean: -0.1,
-            var: 0.02
-        }
-    );
-    assert_eq!(
-        first.lifetime,
-        Spread {
-            mean: 60.0,
-            var: 10.0
-        }
-    );
-    let color = Changing {
-        initial: Spread {
-            mean: [0.4, 0.1, 0.02],
-            var: [0.1, 0.0, 0.0],
-        },
-        rate: [0.0, -0.01, 0.01],
-    };
-    assert_eq!(first.color, color);
-    let number = |mean, var, rate| Changing {
-        initial: Spread { mean, var },
-        rate,
-    };
-    assert_eq!(first.transparency, number(0.25, 0.125, 0.5));
-    assert_eq!(first.size, number(0.02, 0.01, -0.001));
-    assert_eq!(first.acceleration, [0.0, -0.01, 0.0]);
-    assert_eq!(first.particle_shape, ParticleShape::Streak);
-    assert_eq!(first.streak_light, StreakLight::Constant);
-    assert_eq!(first.intensity_threshold, Some(0.01));
-    let births = Births {
-        per: BirthUnit::ScreenArea,
-        initial_mean_parts: 0.5,
-        delta_mean_parts: 0.1,
-        var_parts: 0.25,
-    };
-    assert_eq!(second.births, births);
-    assert_eq!(
-        second.generation_shape,
-        GenerationShape::Circle { radius: 3.0 }
-    );
-}
-
-#[test]
-fn what_is_not_written_has_the_documented_default() {
-    let scene = parse(MINIMAL, FILE, "some").expect("the minimal scene is right");
-    assert_eq!(
-        (scene.title.as_str(), scene.description.as_str()),
-        ("some", "")
-    );
-    assert_eq!((scene.frames, scene.frame_rate), (120, 24));
-    assert_eq!((scene.seed, scene.capacity), (1, None));
-    let image = Image {
-        width: 1280,
-        height: 720,
-        background: [0.0; 3],
-        shutter: 0.5,
-    };
-    assert_eq!(scene.image, image);
-    assert_eq!(scene.camera.up, [0.0, 1.0, 0.0]);
-    assert_eq!(
-        (scene.camera.vertical_fov_degrees, scene.camera.near),
-        (45.0, 0.1)
-    );
-    let system = &scene.systems[0];
-    assert_eq!(
-        (system.position, system.rotation_degrees),
-        ([0.0; 3], [0.0; 2])
-    );
-    assert_eq!((system.first_frame, system.end_frame), (0, None));
-    let births = Births {
-        per: BirthUnit::Frame,
-        initial_mean_parts: 100.0,
-        delta_mean_parts: 0.0,
-        var_parts: 0.0,
-    };
-    assert_eq!(system.births, births);
-    assert_eq!(system.birth_rounding, BirthRounding::Stochastic);
-    assert_eq!(
-        system.generation_shape,
-        GenerationShape::Sphere { radius: 1.0 }
-    );
-    assert_eq!(system.ejection_angle_degrees, 0.0);
-    // A mean alone has no spread and no rate.
-    assert_eq!(
-        system.speed,
-        Spread {
-            mean: 0.1,
-            var: 0.0
-        }
-    );
-    let number = |mean| Changing {
-        initial: Spread { mean, var: 0.0 },
-        rate: 0.0,
-    };
-    assert_eq!(
-        (system.size, system.transparency),
-        (number(0.02), number(0.0))
-    );
-    let color = Spread {
-        mean: [0.4, 0.1, 0.02],
-        var: [0.0; 3],
-    };
-    assert_eq!(
-        system.color,
-        Changing {
-            initial: color,
-            rate: [0.0; 3]
-        }
-    );
-    assert_eq!(system.acceleration, [0.0; 3]);
-    assert_eq!(system.particle_shape, ParticleShape::Sphere);
-    assert_eq!(system.streak_light, StreakLight::Conserved);
-    assert_eq!(system.intensity_threshold, None);
-}
+use crate::text::{FILE, FULL, MINIMAL, accepted, line_of, refused, with};
 
 #[test]
 fn keys_that_do_not_go_together_are_refused() {
@@ -185,6 +18,17 @@ fn keys_that_do_not_go_together_are_refused() {
         ("camera", "up", "[0, 0, 0]", "`camera.up` is zero", "up = [0, 1, 0]"),
         ("camera", "up", "[0, 2, 10]", "parallel to the view", "up = [0, 1, 0]"),
         ("camera", "up", "[0, -0.2, -1]", "parallel to the view", "up = [0, 1, 0]"),
+        ("system", "trigger_frames", "[0, 5, 5]", "`system.first.trigger_frames.2` is not greater", "ascending order"),
+        ("system", "trigger_frames", "[0, -1]", "`system.first.trigger_frames.1` is not greater", "ascending order"),
+        ("system", "trigger_frames", "[0, 0.5]", "`system.first.trigger_frames.1` cannot be the number 0.5", "whole numbers"),
+        ("system", "generation_shape", "{ kind = \"ring\", inner_radius = 2, outer_radius = 1.5 }", "`system.first.generation_shape.inner_radius` is 2, more than", "at most outer_radius, which is 1.5"),
+        ("system", "generation_shape", "{ kind = \"ring\", inner_radius = 2, outer_radius = 2 }", "", ""),
+        ("extinction.box", "max", "[1, -2.5, 0]", "`system.first.extinction.3.max` is less than `min` along y: -2.5, and min is -2", "min at most max"),
+        ("extinction.box", "max", "[-1, -2, -3]", "", ""),
+        ("extinction.distance", "direction", "[0, -1e-7, 0]", "`system.first.extinction.0.direction` is zero", "3 numbers"),
+        ("extinction.plane", "normal", "[0, 0, 0]", "`system.first.extinction.1.normal` is zero", "3 numbers"),
+        ("wind.vortex", "axis", "[0, 0, 0]", "`wind.3.axis` is zero, which is no direction", "3 numbers"),
+        ("layer", "normal", "[0, 0, 0]", "`layer.0.normal` is zero, which is no direction", "3 numbers"),
     ];
     for (section, key, value, message, help) in cases {
         let text = with(section, key, value);
@@ -206,6 +50,15 @@ fn keys_that_do_not_go_together_are_refused() {
     let error = refused(&MINIMAL.replace("[0, 1, 5]", "[0, 9, 0]"));
     assert!(error.message().contains("parallel"), "{error}");
     assert!(error.help().contains("up = [0, 0, -1]"), "{error}");
+    let error = refused(&FULL.replace("\"far\"", "\"smoke\""));
+    assert!(
+        error
+            .message()
+            .contains("`layer.smoke.name` is already that of another layer"),
+        "{error}"
+    );
+    let first = format!("on line {}", line_of("layer", "name"));
+    assert!(error.help().contains(&first), "{error}");
     let error = refused(&FULL.replace("\"second\"", "\"first\""));
     assert!(
         error.message().contains("`system.first.name` is already"),
@@ -248,9 +101,35 @@ fn r10_schema_rejects_both_or_neither_birth_triples() {
     }
     assert_eq!(error.line(), Some(5), "{error}");
     let by_area = MINIMAL.replace("initial_mean_parts", "initial_mean_parts_per_area");
-    assert!(
-        parse(&by_area, FILE, "s").is_ok_and(|s| s.systems[0].births.per == BirthUnit::ScreenArea)
+    assert_eq!(
+        accepted(&by_area).systems[0].births.per,
+        BirthUnit::ScreenArea
     );
+    // Bursts may be all, but not an excuse for both, nor for a set without its first.
+    let burst = "[[system.burst]]\nframe = 0\nparts = 9\n";
+    let alone = MINIMAL.replace("initial_mean_parts = 100\n", "") + burst;
+    let births = accepted(&alone).systems[0].births;
+    assert_eq!(
+        (births.per, births.initial_mean_parts),
+        (BirthUnit::Frame, 0.0)
+    );
+    let both = MINIMAL.replace(
+        "initial_mean_parts",
+        "var_parts_per_area = 1\ninitial_mean_parts",
+    );
+    let error = refused(&(both + burst));
+    assert!(
+        error.message().contains("has both births a frame"),
+        "{error}"
+    );
+    for key in ["cubic_mean_parts", "delta_var_parts_per_area"] {
+        let error = refused(&(MINIMAL.replace("initial_mean_parts", key) + burst));
+        assert!(
+            error.message().contains("`system.only.initial_mean_parts"),
+            "{error}"
+        );
+        assert!(error.message().contains("is missing"), "{error}");
+    }
 }
 
 #[test]
@@ -273,7 +152,12 @@ fn r11_schema_has_mean_and_var_for_all_seven_attributes() {
             .map(|field| field.key)
             .collect();
         assert_eq!(parts[..2], ["mean", "var"], "{key}");
-        assert_eq!(parts.contains(&"rate"), with_rate, "{key}");
+        let rates: &[&str] = if with_rate {
+            &["rate", "rate_var"]
+        } else {
+            &[]
+        };
+        assert_eq!(parts[2..], *rates, "{key}");
     }
     assert!(matches!(
         kind("ejection_angle_degrees").kind,
@@ -289,10 +173,88 @@ fn r11_schema_has_mean_and_var_for_all_seven_attributes() {
     };
     assert_eq!(
         shapes.iter().map(|shape| shape.name).collect::<Vec<_>>(),
-        ["sphere", "circle", "rectangle"]
+        [
+            "sphere",
+            "circle",
+            "rectangle",
+            "ring",
+            "box",
+            "cone",
+            "line",
+            "attractor"
+        ]
     );
     assert!(matches!(
         kind("particle_shape").kind,
         Kind::Choice(["sphere", "rectangle", "streak"])
     ));
+}
+
+#[test]
+fn lists_have_an_end() {
+    let many = |count, one: &str| MINIMAL.to_owned() + &one.repeat(count);
+    #[rustfmt::skip]
+    let lists = [
+        ("wind", 16, "[[wind]]\nkind = \"uniform\"\nvelocity = [0, 0, 0]\n"),
+        ("system.only.burst", 64, "[[system.burst]]\nframe = 0\nparts = 1\n"),
+        ("system.only.extinction", 16, "[[system.extinction]]\nkind = \"plane\"\npoint = [0, 0, 0]\nnormal = [0, 1, 0]\n"),
+    ];
+    for (path, most, one) in lists {
+        accepted(&many(most, one));
+        let error = refused(&many(most + 1, one));
+        let what = format!("`{path}` cannot be an array of {}", most + 1);
+        assert!(error.message().contains(&what), "{error}");
+        assert!(
+            error.help().contains(&format!("at most {most} tables")),
+            "{error}"
+        );
+    }
+    let layers = |count| {
+        let one =
+            |i| format!("[[layer]]\nname = \"l{i}\"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\n");
+        MINIMAL.to_owned() + &(0..count).map(one).collect::<String>()
+    };
+    assert_eq!(accepted(&layers(8)).layers.len(), 8);
+    assert!(refused(&layers(9)).help().contains("at most 8 tables"));
+    let triggers = |count| {
+        let frames: Vec<String> = (0..count).map(|i: u32| i.to_string()).collect();
+        with(
+            "system",
+            "trigger_frames",
+            &format!("[{}]", frames.join(", ")),
+        )
+    };
+    assert_eq!(
+        accepted(&triggers(256)).systems[0].trigger_frames.len(),
+        256
+    );
+    let error = refused(&triggers(257));
+    assert!(
+        error
+            .message()
+            .contains("`system.first.trigger_frames` has too many"),
+        "{error}"
+    );
+    assert!(error.help().contains("at most 256"), "{error}");
+}
+
+#[test]
+fn a_system_may_begin_before_the_scene() {
+    let begun = with("system", "first_frame", "-65_000");
+    let system = &accepted(&begun).systems[0];
+    assert_eq!((system.first_frame, system.end_frame), (-65_000, Some(9)));
+    let error = refused(&with("system", "first_frame", "9"));
+    assert!(
+        error
+            .message()
+            .contains("`system.first.end_frame` is 9, but births begin at frame 9"),
+        "{error}"
+    );
+    assert_eq!(
+        error.line(),
+        Some(line_of("system", "end_frame")),
+        "{error}"
+    );
+    let ended = begun.replace("end_frame = 9", "end_frame = -64_999");
+    assert_eq!(accepted(&ended).systems[0].end_frame, Some(-64_999));
 }

@@ -1,6 +1,8 @@
 //! `--set path.to.key=value`.
 
-use motes::scene::{GenerationShape, Scene, SceneError, Spread, load_with};
+use motes::scene::{
+    EjectionAxis, Extinction, GenerationShape, Scene, SceneError, Side, Spread, Wind, load_with,
+};
 
 use crate::text::FULL;
 
@@ -30,11 +32,28 @@ fn sets_change_what_they_name_and_nothing_else() {
     };
     wanted.systems[0].color.rate[2] = 0.5;
     // Once written as a mean alone, so its var has to be made.
-    wanted.systems[1].lifetime = Spread {
+    wanted.systems[1].lifetime = Some(Spread {
         mean: 2.0,
         var: 1.0,
-    };
+    });
     wanted.systems[1].color.initial.var = [0.0, 0.0, 0.25];
+    wanted.systems[1].size.rate_var = 0.125;
+    // The shape's axis goes with it.
+    wanted.systems[1].ejection_axis = EjectionAxis::Outward;
+    wanted.systems[0].bursts[1].parts = Spread {
+        mean: 7.0,
+        var: 2.0,
+    };
+    wanted.systems[0].trigger_frames[2] = 41;
+    wanted.systems[0].extinctions[2] = Extinction::Sphere {
+        center: [0.0, 1.0, 2.0],
+        radius: 0.75,
+        kills: Side::Inside,
+    };
+    wanted.winds[0] = Wind::Uniform {
+        velocity: [0.01, 0.5, 0.03],
+    };
+    wanted.layers[1].point = [0.0, 0.0, -5.0];
     wanted.systems[1].generation_shape = GenerationShape::Sphere { radius: 9.0 };
     wanted.systems[1].position = [1.0, 2.0, 3.0];
     let sets = [
@@ -47,6 +66,12 @@ fn sets_change_what_they_name_and_nothing_else() {
         "system.first.color.rate.2=0.5",
         "system.1.lifetime.var=1",
         "system.second.color.var=[0, 0, 0.25]",
+        "system.second.size.rate_var=0.125",
+        "system.first.burst.1.parts.var=2",
+        "system.first.trigger_frames.2=41",
+        "system.first.extinction.2.radius=0.75",
+        "wind.0.velocity.1=0.5",
+        "layer.far.point=[0, 0, -5]",
         "system.second.generation_shape={ kind = \"sphere\", radius = 9 }",
         "system.second.position=[1, 2, 3]",
     ];
@@ -108,4 +133,60 @@ fn a_wrong_set_is_shown_with_what_would_be_right() {
             .message()
             .contains("too long")
     );
+}
+
+#[test]
+fn sets_reach_keys() {
+    let sets = [
+        "system.0.speed={ keys = [[0, 1], [10, 2]] }",
+        "system.first.speed.keys.1.1=3",
+        "system.first.speed.interpolation=smooth",
+        "system.first.speed.keys.0=[4, 2]",
+        // A var beside keys that stand for the mean.
+        "system.second.size={ keys = [[0, 1], [8, 5]] }",
+        "system.second.size.var=0.25",
+        "camera.position={ keys = [[0, [0, 1, 5]], [4, [0, 1, 9]]] }",
+        "camera.position.keys.1.1.0=4",
+        "image.exposure={ keys = [[0, 1], [4, 2]] }",
+        "image.exposure=7",
+        "wind.sink.strength=1",
+    ];
+    let scene = right(&sets[..10]);
+    assert_eq!(scene.image.exposure, 7.0);
+    assert_eq!(scene.tracks.len(), 3);
+    let now = scene.at(4.0);
+    let speed = Spread {
+        mean: 2.0,
+        var: 0.0,
+    };
+    assert_eq!(now.systems[0].speed, speed);
+    assert_eq!(scene.at(10.0).systems[0].speed.mean, 3.0);
+    let size = Spread {
+        mean: 3.0,
+        var: 0.25,
+    };
+    assert_eq!(now.systems[1].size.initial, size);
+    assert_eq!(now.camera.position, [4.0, 1.0, 9.0]);
+    // A wind has no name to go by.
+    assert!(set(&sets).is_err());
+    #[rustfmt::skip]
+    let cases = [
+        ("system.0.speed={ keys = [] }", "`system.first.speed.keys` is empty", "[]"),
+        ("system.0.speed.keys.1.1=10_001", "`system.first.speed.keys.1.1` is out of range: 10001", "10_001"),
+        ("system.0.speed.keys.1.0=-1", "`system.first.speed.keys.1.0` is -1, but the key before is at 4", "-1"),
+        ("system.0.speed.keys.2=[9, 1]", "there is no `2` in `system.0.speed.keys`", "2="),
+        ("system.0.speed.interpolation=soft", "`system.first.speed.interpolation` cannot be \"soft\"", "soft"),
+        ("camera.near={ keys = [[0, 1]] }", "`camera.near` cannot change with the frame", "{ keys"),
+        ("camera.target={ keys = [[0, [0, 0, 0]], [4, [4, 1, 9]]] }", "`camera.target.keys.1`: at frame 4, `camera.target` is where", "[4, ["),
+    ];
+    for (text, message, piece) in cases {
+        let error = set(&[&sets[..8], &[text]].concat()).expect_err(text);
+        assert!(
+            error.message().contains(message),
+            "wants {message}: {error}"
+        );
+        assert_eq!(error.file(), Some("command line"), "{error}");
+        let column = text.find(piece).map(|index| "--set ".len() + index + 1);
+        assert_eq!(error.column(), column, "{error}");
+    }
 }

@@ -1,6 +1,7 @@
 //! Scene texts for tests, and ways to spoil them.
 
-use motes::scene::{SceneError, parse};
+use motes::scene::schema::{self, Field};
+use motes::scene::{Scene, SceneError, parse};
 
 /// What the tests call the file.
 pub(crate) const FILE: &str = "folder/some.toml";
@@ -32,10 +33,14 @@ width = 640
 height = 360
 background = [0, 0.5, 1]
 shutter = 0.48
+shutter_weighting = "eye"
+exposure = 1.5
 [camera]
 position = [0, 1, 5]
 target = [0, 0, 0]
 up = [0.5, 1, 0]
+projection = "orthographic"
+view_height = 3.5
 vertical_fov_degrees = 60
 near = 0.01
 [[system]]
@@ -44,48 +49,166 @@ position = [1, 2, 3]
 rotation_degrees = [-90, 45.5]
 first_frame = 3
 end_frame = 9
+trigger_frames = [-5, 0, 40]
+birth_moment = "within_frame"
+particle_space = "world"
 initial_mean_parts = 100.5
 delta_mean_parts = -2
+quadratic_mean_parts = 0.5
+cubic_mean_parts = -0.25
 var_parts = 20
+delta_var_parts = 1.5
+quadratic_var_parts = -0.75
+cubic_var_parts = 0.125
+mean_parts_wander = 0.3
+mean_parts_wander_frames = 12
 birth_rounding = "nearest"
 generation_shape = { kind = "rectangle", length = 2, width = 0.5 }
+ejection_axis = "around"
 ejection_angle_degrees = 30
+ejection_spread = "angle"
 speed = { mean = -0.1, var = 0.02 }
 lifetime = { mean = 60, var = 10 }
-color = { mean = [0.4, 0.1, 0.02], var = [0.1, 0, 0], rate = [0, -0.01, 0.01] }
-transparency = { mean = 0.25, var = 0.125, rate = 0.5 }
-size = { mean = 0.02, var = 0.01, rate = -0.001 }
+color = { mean = [0.4, 0.1, 0.02], var = [0.1, 0, 0], rate = [0, -0.01, 0.01], rate_var = [0, 0, 0.005] }
+transparency = { mean = 0.25, var = 0.125, rate = 0.5, rate_var = 0.0625 }
+size = { mean = 0.02, var = 0.01, rate = -0.001, rate_var = 0.0005 }
 acceleration = [0, -0.01, 0]
+drag = 0.05
+integration = "parabola"
 particle_shape = "streak"
 streak_light = "constant"
 intensity_threshold = 0.01
+intensity = "luminance"
+light_distance = 7.5
+[[system.burst]]
+frame = -3
+parts = { mean = 500, var = 50 }
+[[system.burst]]
+frame = 4
+parts = 7
+[[system.extinction]]
+kind = "distance"
+direction = [0, 3, 4]
+distance = -2
+[[system.extinction]]
+kind = "plane"
+point = [1, 0, 0]
+normal = [0, 2, 0]
+[[system.extinction]]
+kind = "sphere"
+center = [0, 1, 2]
+radius = 0.5
+kills = "inside"
+[[system.extinction]]
+kind = "box"
+min = [-1, -2, -3]
+max = [1, 2, -0.5]
+kills = "outside"
 [[system]]
 name = "second"
 initial_mean_parts_per_area = 0.5
 delta_mean_parts_per_area = 0.1
+quadratic_mean_parts_per_area = 0.01
+cubic_mean_parts_per_area = -0.001
 var_parts_per_area = 0.25
+delta_var_parts_per_area = 0.02
+quadratic_var_parts_per_area = -0.002
+cubic_var_parts_per_area = 0.0002
 generation_shape = { kind = "circle", radius = 3 }
 speed = 1
 lifetime = 2
 color = [1, 1, 1]
 size = 1
+[[wind]]
+kind = "uniform"
+velocity = [0.01, 0.02, 0.03]
+[[wind]]
+kind = "buoyancy"
+gravity = [0, -2, 0]
+strength = 0.04
+[[wind]]
+kind = "gusts"
+velocity = [0.05, 0, 0]
+amplitude = 0.75
+frames = 20
+[[wind]]
+kind = "vortex"
+position = [1, 2, 3]
+axis = [0, 0, 2]
+speed = -0.06
+radius = 0.7
+[[wind]]
+kind = "source"
+position = [4, 5, 6]
+strength = 0.08
+radius = 0.9
+[[wind]]
+kind = "sink"
+position = [7, 8, 9]
+strength = 0.11
+radius = 1.2
+[[wind]]
+kind = "attractor"
+position = [-1, -2, -3]
+speed = 0.13
+radius = 1.4
+[[wind]]
+kind = "noise"
+strength = 0.15
+scale = [1, 2, 0]
+drift = [0, 0.5, 0]
+octaves = 3
+spectrum_exponent = 2.5
+absolute = true
+[[wind]]
+kind = "curl"
+strength = 0.16
+scale = [3, 3, 3]
+drift = [0.25, 0, 0]
+octaves = 2
+spectrum_exponent = 3
+absolute = false
+[[layer]]
+name = "smoke"
+point = [0, 0, -2]
+normal = [0, 0, 3]
+[[layer]]
+name = "far"
+point = [0, 0, -4]
+normal = [0, 1, 1]
 "#;
 
-/// The index of the first line of [`FULL`] that begins `key = ` in the section, which is empty
-/// for the top of the file.
+/// A scene with values that change.
+pub(crate) const KEYED: &str = r#"
+[image]
+exposure = { keys = [[0, 1], [30, 0.5]] }
+[camera]
+position = { keys = [[0, [0, 1, 5]], [24, [3, 1, 4]], [48.5, [5, 1, 0]]], interpolation = "smooth" }
+target = [0, 0, 0]
+[[system]]
+name = "only"
+initial_mean_parts = { keys = [[-10, 0], [10, 100]] }
+generation_shape = { kind = "ring", inner_radius = { keys = [[0, 0.5], [9, 1]] }, outer_radius = 1 }
+speed = { keys = [[0, 0.1], [12, 0.2]], interpolation = "step" }
+lifetime = { mean = 60, var = { keys = [[0, 0], [10, 30]] } }
+color = { keys = [[0, [1, 1, 1]], [10, [0.5, 0, 0]]] }
+size = 0.02
+"#;
+
+/// The index of the first line of [`FULL`] that begins `key = ` in the section: empty for the top
+/// of the file, `wind.noise` for a table by its kind. Keys of a `generation_shape` of any kind are
+/// on its line.
 fn index_of(section: &str, key: &str) -> usize {
-    let key = match section {
-        "sphere" | "circle" | "rectangle" => "generation_shape",
-        _ => key,
+    let (section, key) = match section.split_once('.') {
+        Some(("generation_shape", _)) => ("system", "generation_shape"),
+        _ => (section, key),
     };
-    let section = match key {
-        "generation_shape" => "system",
-        _ => section,
-    };
-    let mut current = "";
+    let mut current = String::new();
     for (i, line) in FULL.lines().enumerate() {
         if line.starts_with('[') {
-            current = line.trim_matches(['[', ']']);
+            current = line.trim_matches(['[', ']']).replace("system.", "");
+        } else if let Some(kind) = line.strip_prefix("kind = ") {
+            current = format!("{current}.{}", kind.trim_matches('"'));
         }
         if current == section && line.starts_with(&format!("{key} = ")) {
             return i;
@@ -105,21 +228,48 @@ pub(crate) fn line_of(section: &str, key: &str) -> usize {
     index_of(section, key) + 1
 }
 
+/// The line, from 1, of the header of the table that the key stands in.
+pub(crate) fn header_of(section: &str, key: &str) -> usize {
+    let before: Vec<&str> = FULL.lines().take(index_of(section, key)).collect();
+    let header = before.iter().rposition(|line| line.starts_with('['));
+    header.map_or(1, |index| index + 1)
+}
+
 /// [`FULL`] with another value for one key.
 pub(crate) fn with(section: &str, key: &str, value: &str) -> String {
-    let line = match (section, key) {
-        ("rectangle", "length") => {
-            format!("generation_shape = {{ kind = \"rectangle\", width = 1, length = {value} }}")
+    let line = match section.strip_prefix("generation_shape.") {
+        Some(kind) => {
+            let fields = fields_of(section).iter();
+            let others = fields.filter(|field| field.key != key);
+            let others = others.map(|field| format!("{} = {}, ", field.key, field.sample()));
+            let others: String = others.collect();
+            format!("generation_shape = {{ kind = \"{kind}\", {others}{key} = {value} }}")
         }
-        ("rectangle", _) => {
-            format!("generation_shape = {{ kind = \"rectangle\", length = 1, width = {value} }}")
-        }
-        ("sphere" | "circle", _) => {
-            format!("generation_shape = {{ kind = \"{section}\", radius = {value} }}")
-        }
-        _ => format!("{key} = {value}"),
+        None => format!("{key} = {value}"),
     };
     replaced(index_of(section, key), &line)
+}
+
+/// The rows of the schema for a section of [`FULL`].
+pub(crate) fn fields_of(section: &str) -> &'static [Field] {
+    let (variants, kind) = match section.split_once('.') {
+        Some(("generation_shape", kind)) => (schema::GENERATION_SHAPES, kind),
+        Some(("extinction", kind)) => (schema::EXTINCTIONS, kind),
+        Some(("wind", kind)) => (schema::WINDS, kind),
+        _ => {
+            return match section {
+                "" => schema::SCENE,
+                "image" => schema::IMAGE,
+                "camera" => schema::CAMERA,
+                "system" => schema::SYSTEM,
+                "burst" => schema::BURST,
+                "layer" => schema::LAYER,
+                _ => panic!("no section {section}"),
+            };
+        }
+    };
+    let variant = variants.iter().find(|variant| variant.name == kind);
+    variant.expect("a kind of the schema").fields
 }
 
 /// [`FULL`] without one key; its line stays, empty.
@@ -141,4 +291,10 @@ pub(crate) fn refused(text: &str) -> SceneError {
         Ok(_) => panic!("this was accepted:\n{text}"),
         Err(error) => error,
     }
+}
+
+/// The scene that the text is.
+#[track_caller]
+pub(crate) fn accepted(text: &str) -> Scene {
+    parse(text, FILE, "some").unwrap_or_else(|error| panic!("{error}\n{text}"))
 }

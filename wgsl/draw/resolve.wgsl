@@ -1,7 +1,7 @@
 // resolve: the sums of light become pixels.
 //
 // Reeves 1983, 2.5: red, green and blue are clamped at the frame buffer's maximum.
-// Byte = floor(clamp(v) 255 + 0.5) of the light plus the background.
+// Byte = floor(clamp(v) 255 + 0.5) of the light times the exposure, plus the background.
 // One invocation four pixels, so that loads and stores are of four words; buffers are padded to
 // whole fours, and what is past the picture's end is written as 0. Reads: frame, light_low, light_high. Writes: image
 // (RGBA, red in the low byte, rows from the top).
@@ -20,7 +20,7 @@ const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 @group(0) @binding(3) var<storage, read_write> image: array<vec4<u32>>;
 
 fn byte_of(low: u32, high: u32, background: f32) -> u32 {
-    let light = light_of(low, high) + background;
+    let light = light_of(low, high) * frame.exposure + background;
     return u32(to_i32(clamp_exact(light, 0.0f, 1.0f) * 255.0f + 0.5f));
 }
 

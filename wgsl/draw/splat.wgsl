@@ -8,23 +8,24 @@
 // Invariant: the image does not depend on the order of particles.
 
 #import motes::dispatch::linear_index
-#import motes::exact::{clamp_exact, f32_of_i32, less, min_exact, reciprocal, square_root, to_i32}
+#import motes::exact::{clamp_exact, dot3, f32_of_i32, less, reciprocal, square_root, to_i32}
 #import motes::footprint::{
-    FEW_CELLS, Footprint, MOST_RADIUS_PX, PI, SMALL_DISC, SQUARE, footprint_of, is_visible,
-    minor_range, project, square_weight_at, weight_at,
+    FEW_CELLS, Footprint, PI, SMALL_DISC, SQUARE, footprint_of, is_visible, minor_range,
+    square_weight_at, weight_at,
 }
 #import motes::layout::{Counts, Frame, Particle, SystemFrame, SystemRow}
 #import motes::light::steps_of
-#import motes::particle::{Identity, age_of, appearance_of, row_index, slot_of}
+#import motes::particle::{age_of, row_index, slot_of}
+#import motes::sprite::{Features, Sprite, next_layer, sprite_of}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
-// Whether any system draws such particles.
+// Whether any system has such particles.
 const STREAKS: bool = #{STREAKS};
 const RECTANGLES: bool = #{RECTANGLES};
-
-const PARTICLE_RECTANGLE: u32 = 1u;
-const PARTICLE_STREAK: u32 = 2u;
-const STREAK_CONSTANT: u32 = 1u;
+const RATE_SPREADS: bool = #{RATE_SPREADS};
+const LIGHT_DISTANCES: bool = #{LIGHT_DISTANCES};
+// Whether the picture has layers.
+const LAYERS: bool = #{LAYERS};
 
 struct Pages {
     page: u32,
@@ -39,6 +40,7 @@ var<immediate> pages: Pages;
 @group(0) @binding(5) var<storage, read_write> light_low: array<atomic<u32>>;
 @group(0) @binding(6) var<storage, read_write> light_high: array<atomic<u32>>;
 @group(0) @binding(7) var<storage, read_write> large_particles: array<atomic<u32>>;
+@group(0) @binding(8) var<storage, read> layer_planes: array<vec4<f32>>;
 
 // The system in that slot; a lone one is loaded once for all invocations.
 fn system_at(slot: u32) -> SystemFrame {
@@ -94,7 +96,9 @@ fn draw_row(shape: Footprint, major: i32, color: vec3<f32>) {
 
 // A disc at rest that covers at most the nine pixels around its centre's: no loops over ranges,
 // and each weight is computed once.
-fn draw_small_disc(center_x: f32, center_y: f32, reach: f32, radius_px: f32, color: vec3<f32>) {
+fn draw_small_disc(sprite: Sprite, reach: f32) {
+    let center_x = sprite.start.x;
+    let center_y = sprite.start.y;
     let left = to_i32(center_x) - 1;
     let top = to_i32(center_y) - 1;
     var weights: array<f32, 9>;
@@ -107,15 +111,25 @@ fn draw_small_disc(center_x: f32, center_y: f32, reach: f32, radius_px: f32, col
         weights[at] = weight;
         sum += weight;
     }
-    let gain = PI * radius_px * radius_px * reciprocal(sum);
+    let gain = PI * sprite.radius_px * sprite.radius_px * reciprocal(sum);
     for (var at = 0; at < 9; at += 1) {
         let x = left + at % 3;
         let y = top + at / 3;
         let weight = weights[at] * gain;
         if less(0.0f, weight) && x >= 0 && y >= 0 && x < i32(frame.width) && y < i32(frame.height) {
-            add_light(x, y, color, weight);
+            add_light(x, y, sprite.color, weight);
         }
     }
+}
+
+// The layer, from 1, that a world place is in.
+fn layer_of(world: vec3<f32>) -> u32 {
+    var layer = 0u;
+    for (var at = 0u; at < frame.layer_plane_count; at += 1u) {
+        let plane = layer_planes[at];
+        layer = next_layer(layer, at, dot3(plane.xyz, world) - plane.w);
+    }
+    return select(layer, frame.layer_plane_count + 1u, layer == 0u);
 }
 
 fn leave_to_splat_large(at: u32) {
@@ -130,36 +144,26 @@ fn splat(@builtin(global_invocation_id) global_id: vec3<u32>) {
     if at >= min(counts.live - min(counts.live, page_start), frame.page_len) {
         return;
     }
-    let position_bits = particles[at].position_and_index;
-    let velocity_bits = particles[at].velocity_and_birth;
-    let slot = slot_of(velocity_bits.w);
-    let age = age_of(velocity_bits.w, frame.frame);
-    let birth_frame = frame.frame - age;
-    let system = system_at(slot);
-    let who = Identity(system.key, birth_frame, position_bits.w);
-    let row = row_at(row_index(slot, birth_frame, frame.row_mask));
-    let look = appearance_of(who, row, age + 1u);
-
-    let position = bitcast<vec3<f32>>(position_bits.xyz);
-    let start = project(frame, system, position);
-    var end = start;
-    if STREAKS && row.kinds.y == PARTICLE_STREAK {
-        let velocity = bitcast<vec3<f32>>(velocity_bits.xyz);
-        end = project(frame, system, position + velocity * frame.shutter);
-    }
-    let radius_px = min_exact(look.size * start.scale, MOST_RADIUS_PX);
-    if !is_visible(frame, start, end, radius_px) {
+    let particle = particles[at];
+    let birth = particle.velocity_and_birth.w;
+    let slot = slot_of(birth);
+    let row = row_at(row_index(slot, frame.frame - age_of(birth, frame.frame), frame.row_mask));
+    let features = Features(STREAKS, RECTANGLES, RATE_SPREADS, LIGHT_DISTANCES);
+    let sprite = sprite_of(frame, system_at(slot), row, particle, features);
+    if !is_visible(frame, sprite.start, sprite.end, sprite.radius_px) {
         return;
     }
-    let color = look.color * (1.0f - look.transparency);
-    let square = RECTANGLES && row.kinds.y == PARTICLE_RECTANGLE;
-    let conserved = row.kinds.z != STREAK_CONSTANT;
-    let shape = footprint_of(frame, start, end, radius_px, square, conserved);
+    if LAYERS && frame.layer != 0u && layer_of(sprite.world) != frame.layer {
+        return;
+    }
+    let shape = footprint_of(
+        frame, sprite.start, sprite.end, sprite.radius_px, sprite.square, sprite.conserved,
+    );
     if shape.kind == SMALL_DISC {
-        draw_small_disc(start.x, start.y, shape.reach, radius_px, color);
+        draw_small_disc(sprite, shape.reach);
     } else if shape.cells <= FEW_CELLS {
         for (var major = shape.first; major < shape.last; major += 1) {
-            draw_row(shape, major, color);
+            draw_row(shape, major, sprite.color);
         }
     } else {
         leave_to_splat_large(at);

@@ -6,23 +6,21 @@
 // Invariant: as splat's: the image does not depend on the order of particles.
 
 #import motes::dispatch::linear_index
-#import motes::exact::{less, min_exact}
+#import motes::exact::less
 #import motes::footprint::{
-    Footprint, MOST_RADIUS_PX, SHARES, SQUARE, footprint_of, minor_range, project, square_weight_at,
-    weight_at,
+    Footprint, SHARES, SQUARE, footprint_of, minor_range, square_weight_at, weight_at,
 }
 #import motes::layout::{Frame, Particle, SystemFrame, SystemRow}
 #import motes::light::steps_of
-#import motes::particle::{Identity, age_of, appearance_of, row_index, slot_of}
+#import motes::particle::{age_of, row_index, slot_of}
+#import motes::sprite::{Features, sprite_of}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
-// Whether any system draws such particles.
+// Whether any system has such particles.
 const STREAKS: bool = #{STREAKS};
 const RECTANGLES: bool = #{RECTANGLES};
-
-const PARTICLE_RECTANGLE: u32 = 1u;
-const PARTICLE_STREAK: u32 = 2u;
-const STREAK_CONSTANT: u32 = 1u;
+const RATE_SPREADS: bool = #{RATE_SPREADS};
+const LIGHT_DISTANCES: bool = #{LIGHT_DISTANCES};
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read> system_frames: array<SystemFrame>;
@@ -92,30 +90,17 @@ fn splat_large(@builtin(global_invocation_id) global_id: vec3<u32>) {
         return;
     }
     let at = large_particles[2u + place];
-    let position_bits = particles[at].position_and_index;
-    let velocity_bits = particles[at].velocity_and_birth;
-    let slot = slot_of(velocity_bits.w);
-    let age = age_of(velocity_bits.w, frame.frame);
-    let birth_frame = frame.frame - age;
-    let system = system_at(slot);
-    let who = Identity(system.key, birth_frame, position_bits.w);
-    let row = row_at(row_index(slot, birth_frame, frame.row_mask));
-    let look = appearance_of(who, row, age + 1u);
-
-    let position = bitcast<vec3<f32>>(position_bits.xyz);
-    let start = project(frame, system, position);
-    var end = start;
-    if STREAKS && row.kinds.y == PARTICLE_STREAK {
-        let velocity = bitcast<vec3<f32>>(velocity_bits.xyz);
-        end = project(frame, system, position + velocity * frame.shutter);
-    }
-    let radius_px = min_exact(look.size * start.scale, MOST_RADIUS_PX);
-    let color = look.color * (1.0f - look.transparency);
-    let square = RECTANGLES && row.kinds.y == PARTICLE_RECTANGLE;
-    let conserved = row.kinds.z != STREAK_CONSTANT;
-    let shape = footprint_of(frame, start, end, radius_px, square, conserved);
+    let particle = particles[at];
+    let birth = particle.velocity_and_birth.w;
+    let slot = slot_of(birth);
+    let row = row_at(row_index(slot, frame.frame - age_of(birth, frame.frame), frame.row_mask));
+    let features = Features(STREAKS, RECTANGLES, RATE_SPREADS, LIGHT_DISTANCES);
+    let sprite = sprite_of(frame, system_at(slot), row, particle, features);
+    let shape = footprint_of(
+        frame, sprite.start, sprite.end, sprite.radius_px, sprite.square, sprite.conserved,
+    );
     let share = i32(work % SHARES);
     for (var major = shape.first + share; major < shape.last; major += i32(SHARES)) {
-        draw_row(shape, major, color);
+        draw_row(shape, major, sprite.color);
     }
 }

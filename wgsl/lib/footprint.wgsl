@@ -13,7 +13,8 @@
     clamp_exact, f32_of_i32, inverse_square_root, less, max_exact, min_exact, reciprocal,
     square_root, to_i32,
 }
-#import motes::layout::{Frame, SystemFrame}
+#import motes::layout::{FRAME_EYE, Frame}
+#import motes::projection::Projected
 
 const PI: f32 = 3.14159265f;
 // Radii are at most this many pixels: four times the largest picture.
@@ -38,14 +39,6 @@ const SMALL_DISC: u32 = 0u;
 const CAPSULE: u32 = 1u;
 const SQUARE: u32 = 2u;
 
-// A point in pixels, its depth along the view axis, and the pixels that a world unit spans there.
-struct Projected {
-    x: f32,
-    y: f32,
-    depth: f32,
-    scale: f32,
-}
-
 // A disc swept along a segment, or a square; `major` is the axis on which the segment is longer.
 struct Footprint {
     kind: u32,
@@ -62,6 +55,9 @@ struct Footprint {
     minor_reach: f32,
     slope: f32,
     gain: f32,
+    // How much the light at the start and at the end counts: early + late t, 1 on average.
+    early: f32,
+    late: f32,
     // First and one past the last row of pixels across the major axis, within the picture.
     first: i32,
     last: i32,
@@ -69,33 +65,6 @@ struct Footprint {
     minor_size: i32,
     // Pixels that rows can have in all.
     cells: u32,
-}
-
-fn transform(x_row: vec4<f32>, y_row: vec4<f32>, z_row: vec4<f32>, p: vec3<f32>) -> vec3<f32> {
-    return vec3<f32>(
-        x_row.x * p.x + x_row.y * p.y + x_row.z * p.z + x_row.w,
-        y_row.x * p.x + y_row.y * p.y + y_row.z * p.z + y_row.w,
-        z_row.x * p.x + z_row.y * p.y + z_row.z * p.z + z_row.w,
-    );
-}
-
-fn project(view: Frame, system: SystemFrame, in_system: vec3<f32>) -> Projected {
-    let world = transform(
-        system.world_from_system_x,
-        system.world_from_system_y,
-        system.world_from_system_z,
-        in_system,
-    );
-    let seen = transform(
-        view.view_from_world_x, view.view_from_world_y, view.view_from_world_z, world,
-    );
-    let scale = view.focal_px * reciprocal(max_exact(seen.z, view.near));
-    return Projected(
-        view.center_x_px + seen.x * scale,
-        view.center_y_px - seen.y * scale,
-        seen.z,
-        scale,
-    );
 }
 
 // Whether any of it may fall into the picture.
@@ -123,7 +92,7 @@ fn overlap(pixel: i32, low: f32, high: f32) -> f32 {
     return clamp_exact(min_exact(left + 1.0f, high) - max_exact(left, low), 0.0f, 1.0f);
 }
 
-// How much of a pixel the disc or streak covers, 0 to 1.
+// How much of a pixel the disc or streak covers, 0 to 1, times how much that light counts.
 fn weight_at(shape: Footprint, major: i32, minor: i32) -> f32 {
     let dx = f32_of_i32(major) + 0.5f - shape.start_major;
     let dy = f32_of_i32(minor) + 0.5f - shape.start_minor;
@@ -132,7 +101,7 @@ fn weight_at(shape: Footprint, major: i32, minor: i32) -> f32 {
     let ex = dx - t * shape.along_major;
     let ey = dy - t * shape.along_minor;
     let distance = square_root(ex * ex + ey * ey);
-    return clamp_exact(shape.reach - distance, 0.0f, 1.0f);
+    return clamp_exact(shape.reach - distance, 0.0f, 1.0f) * (shape.early + t * shape.late);
 }
 
 // How much of a pixel the square covers, 0 to 1.
@@ -212,6 +181,14 @@ fn footprint_of(
     shape.reach = select(edge + 0.5f, radius_px, square);
     shape.minor_reach = shape.reach * square_root(1.0f + shape.slope * shape.slope);
     shape.gain = 1.0f;
+    // An eye keeps what came last best: light counts in proportion to the time since the shutter
+    // opened. What the early half loses, caps included, the late half gains.
+    // Of a short streak hardly so, or a pixel's centre before its start could get it all.
+    let eye = moves && (view.flags & FRAME_EYE) != 0u;
+    let length = length_squared * inverse_length;
+    let lateness = clamp_exact(0.25f * length * reciprocal(shape.reach), 0.0f, 1.0f);
+    shape.early = select(1.0f, 1.0f - lateness, eye);
+    shape.late = select(0.0f, 2.0f * lateness, eye);
     if !moves && !square && less(shape.reach, SMALL_REACH_PX) {
         shape.kind = SMALL_DISC;
         return shape;

@@ -13,51 +13,151 @@ struct Particle {
 
 // The parameters of one system at one birth frame; they rule its particles for life.
 struct SystemRow {
-    // Extents of the generation shape; w: cosine of the ejection angle.
+    // Extents of the generation shape; w: inner radius of a ring, slope of a cone.
     shape: vec4<f32>,
+    // Cosine of the ejection angle, the angle in turns; z: distance at which light is as the
+    // colour says, 0 when that is everywhere; w: half-width of the size's rate.
+    ejection_and_light: vec4<f32>,
     // Speed mean and half-width, lifetime mean and half-width.
     speed_and_lifetime: vec4<f32>,
     // Size mean, half-width and rate; w: intensity threshold, negative when there is none.
     size_and_threshold: vec4<f32>,
-    // Red, green, blue, transparency: means, half-widths, rates a frame.
+    // Red, green, blue, transparency: means, half-widths, rates a frame, half-widths of the rates.
     color_mean: vec4<f32>,
     color_var: vec4<f32>,
     color_rate: vec4<f32>,
-    // Generation shape, particle shape, streak light, and one unused word.
+    color_rate_var: vec4<f32>,
+    // Generation shape, particle shape, streak light, and flags (ROW_...).
     kinds: vec4<u32>,
 }
 
+// SystemRow.kinds.x: where particles are born.
+const SHAPE_SPHERE: u32 = 0u;
+const SHAPE_CIRCLE: u32 = 1u;
+const SHAPE_RECTANGLE: u32 = 2u;
+const SHAPE_RING: u32 = 3u;
+const SHAPE_BOX: u32 = 4u;
+const SHAPE_CONE: u32 = 5u;
+const SHAPE_LINE: u32 = 6u;
+const SHAPE_CURVE: u32 = 7u;
+// SystemRow.kinds.y: what they look like.
+const PARTICLE_SPHERE: u32 = 0u;
+const PARTICLE_RECTANGLE: u32 = 1u;
+const PARTICLE_STREAK: u32 = 2u;
+// SystemRow.kinds.z: how light is spread along a streak.
+const STREAK_CONSERVED: u32 = 0u;
+const STREAK_CONSTANT: u32 = 1u;
+// SystemRow.kinds.w: the axis of the ejection cone (up if neither), angles instead of solid angles
+// uniform, intensity as luminance, births spread over the frame.
+const ROW_OUTWARD: u32 = 1u;
+const ROW_AROUND: u32 = 2u;
+const ROW_ANGLE_UNIFORM: u32 = 4u;
+const ROW_LUMINANCE: u32 = 8u;
+const ROW_WITHIN_FRAME: u32 = 16u;
+
 // What the processor knows of one system in this frame.
 struct SystemFrame {
-    // Rows of the 3 x 4 transform to world space.
+    // Rows of the 3 x 4 transform from the space of its particles to world space: now, and when
+    // the shutter closes.
     world_from_system_x: vec4<f32>,
     world_from_system_y: vec4<f32>,
     world_from_system_z: vec4<f32>,
-    // Added to velocities each frame, system space; w unused.
+    closing_world_from_system_x: vec4<f32>,
+    closing_world_from_system_y: vec4<f32>,
+    closing_world_from_system_z: vec4<f32>,
+    // Rows of the transform from the space of the generation shape to that of the particles: a
+    // frame ago, and now.
+    earlier_system_from_birth_x: vec4<f32>,
+    earlier_system_from_birth_y: vec4<f32>,
+    earlier_system_from_birth_z: vec4<f32>,
+    system_from_birth_x: vec4<f32>,
+    system_from_birth_y: vec4<f32>,
+    system_from_birth_z: vec4<f32>,
+    // Added to velocities each frame, system space; w: the part of the velocity against the wind
+    // that drag takes each frame.
     acceleration: vec4<f32>,
-    // Mean births and their half-width.
+    // Mean births and their half-width, in this frame or for each pixel of the screen area.
     mean_parts: f32,
     var_parts: f32,
     // The system's key: hash of the seed and its name.
     key: u32,
-    // 1: floor(x + u) with u uniform; 0: floor(x + 1/2).
-    stochastic_rounding: u32,
+    // SYSTEM_...
+    flags: u32,
+    // The sphere whose projection is the screen area: centre in world space, radius.
+    bounding_sphere: vec4<f32>,
+    // Where its bounds stand, and how many they are.
+    first_bound: u32,
+    bound_count: u32,
+    // Births all at once besides the others, and their half-width.
+    burst_parts: f32,
+    burst_var: f32,
 }
+
+// SystemFrame.flags: births are floor(x + u) with u uniform (else floor(x + 1/2)); they are counted
+// for each pixel of screen area; velocities are those halfway through a frame.
+const SYSTEM_STOCHASTIC: u32 = 1u;
+const SYSTEM_PER_AREA: u32 = 2u;
+const SYSTEM_PARABOLIC: u32 = 4u;
+
+// What ends particles that come where they should not be, in world space.
+struct Bound {
+    // Plane: unit normal and distance along it. Sphere: centre and squared radius. Box: least corner.
+    place: vec4<f32>,
+    // Box: greatest corner.
+    extent: vec4<f32>,
+    // x: BOUND_...; y: 1 if the outside kills, 0 if the inside does (of a plane, where the normal
+    // points from).
+    kinds: vec4<u32>,
+}
+
+const BOUND_PLANE: u32 = 0u;
+const BOUND_SPHERE: u32 = 1u;
+const BOUND_BOX: u32 = 2u;
+
+// One part of the wind (motes::wind), in world space and units a frame.
+struct Wind {
+    // Kind (WIND_...), octaves, key of the noise, and 1 if octaves count by their absolute value.
+    kinds: vec4<u32>,
+    // A place, and the radius of what is around it; of a curl, a weight for each axis.
+    place: vec4<f32>,
+    // A velocity or an axis, and a strength.
+    aim: vec4<f32>,
+    // Noise cells a world unit along each axis; the factor from an octave to the next.
+    scale: vec4<f32>,
+    // Where the noise has moved to, in cells; w unused.
+    offset: vec4<f32>,
+}
+
+const WIND_UNIFORM: u32 = 0u;
+const WIND_VORTEX: u32 = 1u;
+const WIND_SOURCE: u32 = 2u;
+const WIND_ATTRACTOR: u32 = 3u;
+const WIND_NOISE: u32 = 4u;
+const WIND_CURL: u32 = 5u;
 
 // What the processor knows of the whole frame.
 struct Frame {
-    // Rows of the 3 x 4 transform to view space: right, up, forward.
+    // Rows of the 3 x 4 transform to view space, right, up, forward: now, and when the shutter
+    // closes.
     view_from_world_x: vec4<f32>,
     view_from_world_y: vec4<f32>,
     view_from_world_z: vec4<f32>,
+    closing_view_from_world_x: vec4<f32>,
+    closing_view_from_world_y: vec4<f32>,
+    closing_view_from_world_z: vec4<f32>,
     background: vec4<f32>,
-    // Pixels per unit of x/z; the principal point; nearest drawn depth.
+    // Pixels per unit of x/z, or of x if the view is orthographic: now, and when the shutter
+    // closes. The principal point.
     focal_px: f32,
+    closing_focal_px: f32,
     center_x_px: f32,
     center_y_px: f32,
+    // Nearest drawn depth.
     near: f32,
     // Fraction of a frame that the shutter is open.
     shutter: f32,
+    // Factor of all light.
+    exposure: f32,
     frame: u32,
     system_count: u32,
     // Rows kept for each system, less one; their number is a power of two.
@@ -68,10 +168,18 @@ struct Frame {
     page_count: u32,
     width: u32,
     height: u32,
-    spare_a: u32,
-    spare_b: u32,
-    spare_c: u32,
+    // FRAME_...
+    flags: u32,
+    wind_count: u32,
+    // Planes that split the picture into layers; the layer that is drawn, from 1, or 0 for all.
+    layer_plane_count: u32,
+    layer: u32,
+    spare: u32,
 }
+
+// Frame.flags: the view is orthographic; late light counts more, as for an eye.
+const FRAME_ORTHOGRAPHIC: u32 = 1u;
+const FRAME_EYE: u32 = 2u;
 
 // How many; one record, kept on the device from frame to frame.
 struct Counts {
@@ -96,8 +204,10 @@ struct FrameStats {
     died: u32,
     live: u32,
     dropped: u32,
-    spare_a: u32,
-    spare_b: u32,
+    // How many of the deaths were for want of light, and how many for being out of bounds; the
+    // rest were of age.
+    died_of_intensity: u32,
+    died_of_bounds: u32,
 }
 
 // The arguments of one indirect dispatch.

@@ -3,8 +3,8 @@
 // (Reeves 1983, sections 2.2 to 2.4). Twin of src/cpu/particle.rs.
 #define_import_path motes::particle
 
-#import motes::layout::{Particle, SystemRow}
-#import motes::rng::{pcg4d, unit_float, signed_float}
+#import motes::layout::{ROW_LUMINANCE, SystemRow}
+#import motes::rng::{pcg4d, signed_float, signed4}
 #import motes::exact::{clamp_exact, f32_of_u32, max_exact, snap, to_i32}
 
 // Streams of the hash: which attributes a draw is for.
@@ -12,6 +12,8 @@ const STREAM_PLACE: u32 = 0u;
 const STREAM_MOTION: u32 = 1u;
 const STREAM_COLOR: u32 = 2u;
 const STREAM_BIRTHS: u32 = 3u;
+const STREAM_RATES: u32 = 4u;
+const STREAM_MOMENT: u32 = 5u;
 
 // The least size at birth: a particle always covers something.
 const LEAST_SIZE: f32 = 0.000001f;
@@ -54,20 +56,25 @@ fn lifetime_of(who: Identity, speed_and_lifetime: vec4<f32>) -> u32 {
     return u32(max(frames, 1));
 }
 
-// Colour, transparency and size after `steps` frames of change (2.2, 2.3).
-fn appearance_of(who: Identity, row: SystemRow, steps: u32) -> Appearance {
+// Colour, transparency and size after `steps` frames of change (2.2, 2.3). `spread_rates` is
+// whether rates may differ from one particle to the next.
+fn appearance_of(who: Identity, row: SystemRow, steps: u32, spread_rates: bool) -> Appearance {
     let random = draw(who, STREAM_COLOR);
     let n = f32_of_u32(steps);
     let mean = row.color_mean;
     let half_width = row.color_var;
-    let rate = row.color_rate;
+    var rate = row.color_rate;
+    var size_rate = row.size_and_threshold.z;
+    if spread_rates {
+        rate = rate + signed4(draw(who, STREAM_RATES)) * row.color_rate_var;
+        size_rate += signed_float(draw(who, STREAM_MOMENT).y) * row.ejection_and_light.w;
+    }
     let red = max_exact(mean.x + signed_float(random.x) * half_width.x, 0.0f);
     let green = max_exact(mean.y + signed_float(random.y) * half_width.y, 0.0f);
     let blue = max_exact(mean.z + signed_float(random.z) * half_width.z, 0.0f);
     let clear = clamp_exact(mean.w + signed_float(random.w) * half_width.w, 0.0f, 1.0f);
-    let changing = row.size_and_threshold;
-    let spread = signed_float(draw(who, STREAM_MOTION).w) * changing.y;
-    let size = max_exact(changing.x + spread, LEAST_SIZE);
+    let spread = signed_float(draw(who, STREAM_MOTION).w) * row.size_and_threshold.y;
+    let size = max_exact(row.size_and_threshold.x + spread, LEAST_SIZE);
     return Appearance(
         vec3<f32>(
             max_exact(red + n * rate.x, 0.0f),
@@ -75,12 +82,14 @@ fn appearance_of(who: Identity, row: SystemRow, steps: u32) -> Appearance {
             max_exact(blue + n * rate.z, 0.0f),
         ),
         clamp_exact(clear + n * rate.w, 0.0f, 1.0f),
-        max_exact(size + n * changing.z, 0.0f),
+        max_exact(size + n * size_rate, 0.0f),
     );
 }
 
-// I = (1 - transparency) max(R, G, B) (2.4).
-fn intensity_of(look: Appearance) -> f32 {
+// I = (1 - transparency) max(R, G, B), or with a flag (1 - transparency) luminance (2.4).
+fn intensity_of(look: Appearance, flags: u32) -> f32 {
     let brightest = max_exact(look.color.x, max_exact(look.color.y, look.color.z));
-    return snap((1.0f - look.transparency) * brightest);
+    let luminance = 0.2126f * look.color.x + 0.7152f * look.color.y + 0.0722f * look.color.z;
+    let light = select(brightest, luminance, (flags & ROW_LUMINANCE) != 0u);
+    return snap((1.0f - look.transparency) * light);
 }

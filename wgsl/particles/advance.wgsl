@@ -1,18 +1,25 @@
 // advance: each survivor moves one frame and takes its compacted place in the other pool.
 //
 // Reeves 1983, 2.3, in the order of the text: position += velocity, then
-// velocity += acceleration. One invocation a particle of the source page; a particle is written
-// by the dispatch of the one target page that its place falls in.
-// Reads: frame, system_frames, counts, alive_bits, word_offsets, particles. Writes: survivors.
+// velocity += acceleration. Drag pulls the velocity toward that of the wind where the particle is.
+// One invocation a particle of the source page; a particle is written by the dispatch of the one
+// target page that its place falls in.
+// Reads: frame, system_frames, counts, alive_bits, word_offsets, particles, winds.
+// Writes: survivors.
 // Invariant: survivors keep their order, so the pool is always sorted by birth frame, system and
 // index.
 
 #import motes::dispatch::linear_index
 #import motes::exact::bits_of
-#import motes::layout::{Counts, Frame, Particle, SystemFrame}
+#import motes::layout::{Counts, Frame, Particle, SystemFrame, Wind}
 #import motes::particle::slot_of
+#import motes::projection::world_of
+#import motes::wind::wind_of
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
+// Whether any system has drag, and whether any part of the wind is noise.
+const DRAGS: bool = #{DRAGS};
+const NOISES: bool = #{NOISES};
 
 struct Pages {
     source_page: u32,
@@ -27,13 +34,29 @@ var<immediate> pages: Pages;
 @group(0) @binding(4) var<storage, read> word_offsets: array<u32>;
 @group(0) @binding(5) var<storage, read> particles: array<Particle>;
 @group(0) @binding(6) var<storage, read_write> survivors: array<Particle>;
+@group(0) @binding(7) var<storage, read> winds: array<Wind>;
 
-// The acceleration of the system in that slot; a lone one is loaded once for all invocations.
-fn acceleration_at(slot: u32) -> vec3<f32> {
+// The system in that slot; a lone one is loaded once for all invocations.
+fn system_at(slot: u32) -> SystemFrame {
     if frame.system_count == 1u {
-        return system_frames[0].acceleration.xyz;
+        return system_frames[0];
     }
-    return system_frames[slot].acceleration.xyz;
+    return system_frames[slot];
+}
+
+// What drag adds to a velocity in a frame: a part of what it lacks of the wind's, in the system's
+// space. The inverse of a rotation is its transpose.
+fn drag_on(system: SystemFrame, position: vec3<f32>, velocity: vec3<f32>) -> vec3<f32> {
+    let world = world_of(system, position);
+    var flow = vec3<f32>(0.0f);
+    for (var at = 0u; at < frame.wind_count; at += 1u) {
+        flow += wind_of(winds[at], world, NOISES);
+    }
+    let x_row = system.world_from_system_x.xyz;
+    let y_row = system.world_from_system_y.xyz;
+    let z_row = system.world_from_system_z.xyz;
+    let flow_here = x_row * flow.x + y_row * flow.y + z_row * flow.z;
+    return (flow_here - velocity) * system.acceleration.w;
 }
 
 @compute @workgroup_size(WORKGROUP_SIZE)
@@ -49,16 +72,21 @@ fn advance(@builtin(global_invocation_id) global_id: vec3<u32>) {
     if ((bits >> bit) & 1u) == 0u {
         return;
     }
-    let place = word_offsets[word] + countOneBits(bits & ((1u << bit) - 1u));
-    let target_at = place - pages.target_page * frame.page_len;
+    let rank = word_offsets[word] + countOneBits(bits & ((1u << bit) - 1u));
+    let target_at = rank - pages.target_page * frame.page_len;
     if target_at >= frame.page_len {
         return;
     }
     let position_bits = particles[at].position_and_index;
     let velocity_bits = particles[at].velocity_and_birth;
     let velocity = bitcast<vec3<f32>>(velocity_bits.xyz);
-    let acceleration = acceleration_at(slot_of(velocity_bits.w));
-    let position = bitcast<vec3<f32>>(position_bits.xyz) + velocity;
+    let system = system_at(slot_of(velocity_bits.w));
+    let place = bitcast<vec3<f32>>(position_bits.xyz);
+    var acceleration = system.acceleration.xyz;
+    if DRAGS {
+        acceleration = acceleration + drag_on(system, place, velocity);
+    }
+    let position = place + velocity;
     let next = velocity + acceleration;
     survivors[target_at] = Particle(
         vec4<u32>(bits_of(position.x), bits_of(position.y), bits_of(position.z), position_bits.w),

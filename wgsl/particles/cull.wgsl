@@ -1,22 +1,37 @@
 // cull: who lives on, one bit a particle.
 //
-// Reeves 1983, 2.4: a particle dies when its lifetime is over, or when its intensity, from colour
-// and transparency, falls below its system's threshold. Intensity is that which it would be drawn
-// with in this frame, so nothing dimmer than the threshold is ever drawn.
+// Reeves 1983, 2.4: a particle dies when its lifetime is over, when its intensity, from colour
+// and transparency, falls below its system's threshold, or when it comes where its system's bounds
+// forbid. Intensity and place are those that it would be drawn with in this frame, so nothing
+// dimmer than the threshold and nothing out of bounds is drawn.
 // One invocation a word of 32 particles of one page. Reads: frame, system_frames, rows, counts,
-// particles. Writes: alive_bits.
-// Invariant: bits at and above counts.total are zero.
+// particles, bounds. Writes: alive_bits, deaths (atomic adds).
+// Invariant: bits at and above counts.total are zero; each death has one cause, the first of age,
+// intensity and bounds that holds.
 
 #import motes::dispatch::linear_index
-#import motes::exact::less
-#import motes::layout::{Counts, Frame, Particle, SystemFrame, SystemRow}
+#import motes::exact::{dot3, less}
+#import motes::layout::{
+    BOUND_BOX, BOUND_PLANE, Bound, Counts, Frame, Particle, SystemFrame, SystemRow,
+}
 #import motes::particle::{
     Identity, age_of, appearance_of, intensity_of, lifetime_of, row_index, slot_of,
 }
+#import motes::projection::world_of
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 // Whether any system kills by intensity.
 const THRESHOLDS: bool = #{THRESHOLDS};
+// Whether any system has bounds.
+const BOUNDS: bool = #{BOUNDS};
+// Whether rates differ from particle to particle in any system.
+const RATE_SPREADS: bool = #{RATE_SPREADS};
+
+// What becomes of a particle.
+const LIVES: u32 = 0u;
+const DIES_OF_AGE: u32 = 1u;
+const DIES_OF_INTENSITY: u32 = 2u;
+const DIES_OF_BOUNDS: u32 = 3u;
 
 struct Pages {
     page: u32,
@@ -28,7 +43,9 @@ var<immediate> pages: Pages;
 @group(0) @binding(2) var<storage, read> rows: array<SystemRow>;
 @group(0) @binding(3) var<storage, read> counts: Counts;
 @group(0) @binding(4) var<storage, read> particles: array<Particle>;
-@group(0) @binding(5) var<storage, read_write> alive_bits: array<u32>;
+@group(0) @binding(5) var<storage, read> bounds: array<Bound>;
+@group(0) @binding(6) var<storage, read_write> alive_bits: array<u32>;
+@group(0) @binding(7) var<storage, read_write> deaths: array<atomic<u32>>;
 
 // The system in that slot; a lone one is loaded once for all invocations.
 fn system_at(slot: u32) -> SystemFrame {
@@ -46,22 +63,61 @@ fn row_at(index: u32) -> SystemRow {
     return rows[index];
 }
 
-fn survives(at: u32) -> bool {
+// Whether a world place is beyond the plane, outside what must hold it, or inside what must not.
+fn is_forbidden(bound: Bound, world: vec3<f32>) -> bool {
+    let low = bound.place;
+    let high = bound.extent;
+    let away = world - low.xyz;
+    let distance_squared = dot3(away, away);
+    let outside_kills = bound.kinds.y == 1u;
+    let beyond_plane = less(low.w, dot3(low.xyz, world));
+    let beyond_sphere = select(
+        less(distance_squared, low.w), less(low.w, distance_squared), outside_kills,
+    );
+    let beyond_box = outside_kills == (less(world.x, low.x) || less(high.x, world.x)
+        || less(world.y, low.y) || less(high.y, world.y)
+        || less(world.z, low.z) || less(high.z, world.z));
+    let kind = bound.kinds.x;
+    return select(
+        select(beyond_sphere, beyond_box, kind == BOUND_BOX), beyond_plane, kind == BOUND_PLANE,
+    );
+}
+
+fn is_out_of_bounds(system: SystemFrame, world: vec3<f32>) -> bool {
+    var is_out = false;
+    for (var at = 0u; at < system.bound_count; at += 1u) {
+        is_out = is_forbidden(bounds[system.first_bound + at], world) || is_out;
+    }
+    return is_out;
+}
+
+fn fate_of(at: u32) -> u32 {
     let index = particles[at].position_and_index.w;
     let birth = particles[at].velocity_and_birth.w;
     let slot = slot_of(birth);
     let age = age_of(birth, frame.frame);
     let birth_frame = frame.frame - age;
-    let who = Identity(system_at(slot).key, birth_frame, index);
+    let system = system_at(slot);
+    let who = Identity(system.key, birth_frame, index);
     let row = row_at(row_index(slot, birth_frame, frame.row_mask));
     if age >= lifetime_of(who, row.speed_and_lifetime) {
-        return false;
+        return DIES_OF_AGE;
     }
     let threshold = row.size_and_threshold.w;
-    if !THRESHOLDS || less(threshold, 0.0f) {
-        return true;
+    if THRESHOLDS && !less(threshold, 0.0f) {
+        let look = appearance_of(who, row, age + 1u, RATE_SPREADS);
+        if less(intensity_of(look, row.kinds.w), threshold) {
+            return DIES_OF_INTENSITY;
+        }
     }
-    return !less(intensity_of(appearance_of(who, row, age + 1u)), threshold);
+    if BOUNDS {
+        let position = bitcast<vec3<f32>>(particles[at].position_and_index.xyz);
+        let velocity = bitcast<vec3<f32>>(particles[at].velocity_and_birth.xyz);
+        if is_out_of_bounds(system, world_of(system, position + velocity)) {
+            return DIES_OF_BOUNDS;
+        }
+    }
+    return LIVES;
 }
 
 @compute @workgroup_size(WORKGROUP_SIZE)
@@ -74,8 +130,19 @@ fn cull(@builtin(global_invocation_id) global_id: vec3<u32>) {
     }
     let end = min(first + 32u, page_end);
     var bits = 0u;
+    var of_intensity = 0u;
+    var of_bounds = 0u;
     for (var at = first; at < end; at += 1u) {
-        bits |= select(0u, 1u, survives(at)) << (at - first);
+        let fate = fate_of(at);
+        bits |= select(0u, 1u, fate == LIVES) << (at - first);
+        of_intensity += select(0u, 1u, fate == DIES_OF_INTENSITY);
+        of_bounds += select(0u, 1u, fate == DIES_OF_BOUNDS);
     }
     alive_bits[(page_start + first) / 32u] = bits;
+    if THRESHOLDS && of_intensity > 0u {
+        atomicAdd(&deaths[0], of_intensity);
+    }
+    if BOUNDS && of_bounds > 0u {
+        atomicAdd(&deaths[1], of_bounds);
+    }
 }

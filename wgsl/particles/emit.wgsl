@@ -1,24 +1,24 @@
 // emit: this frame's newborns, written behind the living of one page.
 //
-// Reeves 1983, 2.2: position in the generation shape, direction outward (sphere) or within the
-// ejection angle of the local +z axis (circle, rectangle; uniform in solid angle), and speed.
-// One invocation a newborn. Reads: frame, system_frames, rows, birth_offsets, counts.
+// Reeves 1983, 2.2: a place in the generation shape, a direction within the ejection angle of an
+// axis (outward for the sphere, else the local +z; uniform in solid angle), and a speed. Those of a
+// moving system that are spread over the frame begin where it was at their moment, and have gone
+// on since.
+// One invocation a newborn. Reads: frame, system_frames, rows, birth_offsets, counts, curve_points.
 // Writes: particles [counts.live, counts.total) as far as they fall in the page.
 // Invariant: every attribute is a hash of the newborn's identity, so nothing depends on where or
 // in which order it is stored.
 
 #import motes::dispatch::linear_index
-#import motes::exact::{bits_of, max_exact, square_root}
-#import motes::layout::{Counts, Frame, Particle, SystemFrame, SystemRow}
-#import motes::particle::{Identity, STREAM_MOTION, STREAM_PLACE, draw, row_index}
+#import motes::emission::{Birthplace, axis_of, ejected, in_shape, mixed, on_curve, turned}
+#import motes::exact::{bits_of, f32_of_u32, normalize_exact, to_i32}
+#import motes::layout::{
+    Counts, Frame, Particle, ROW_WITHIN_FRAME, SHAPE_CURVE, SYSTEM_PARABOLIC, SystemFrame, SystemRow,
+}
+#import motes::particle::{Identity, STREAM_MOMENT, STREAM_MOTION, STREAM_PLACE, draw, row_index}
 #import motes::rng::{signed_float, unit_float}
-#import motes::transcendental::{cos_turns, cube_root, sin_turns}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
-
-const SHAPE_SPHERE: u32 = 0u;
-const SHAPE_CIRCLE: u32 = 1u;
-const SHAPE_RECTANGLE: u32 = 2u;
 
 struct Pages {
     page: u32,
@@ -31,12 +31,7 @@ var<immediate> pages: Pages;
 @group(0) @binding(3) var<storage, read> birth_offsets: array<u32>;
 @group(0) @binding(4) var<storage, read> counts: Counts;
 @group(0) @binding(5) var<storage, read_write> particles: array<Particle>;
-
-// The unit vector at height z on the sphere, `turns` around the z axis.
-fn on_sphere(z: f32, turns: f32) -> vec3<f32> {
-    let ring = square_root(max_exact(1.0f - z * z, 0.0f));
-    return vec3<f32>(ring * cos_turns(turns), ring * sin_turns(turns), z);
-}
+@group(0) @binding(6) var<storage, read> curve_points: array<vec4<f32>>;
 
 // The system whose births contain the frame's newborn `birth`: the last that begins at or before.
 fn slot_of_birth(birth: u32) -> u32 {
@@ -53,6 +48,17 @@ fn slot_of_birth(birth: u32) -> u32 {
     return low;
 }
 
+fn birthplace(row: SystemRow, place: vec4<u32>) -> Birthplace {
+    if row.kinds.x == SHAPE_CURVE {
+        let along = unit_float(place.x) * (row.shape.z - 1.0f);
+        let before = u32(to_i32(along));
+        let first = u32(to_i32(row.shape.y)) + before;
+        let part = along - f32_of_u32(before);
+        return on_curve(curve_points[first].xyz, curve_points[first + 1u].xyz, part, row.shape.x);
+    }
+    return in_shape(row, place);
+}
+
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn emit(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let page_start = pages.page * frame.page_len;
@@ -64,36 +70,35 @@ fn emit(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let birth = at - counts.live;
     let slot = slot_of_birth(birth);
     let index = birth - birth_offsets[slot];
-    let who = Identity(system_frames[slot].key, frame.frame, index);
-    let row = row_index(slot, frame.frame, frame.row_mask);
-    let extents = rows[row].shape;
-    let speeds = rows[row].speed_and_lifetime;
-    let shape = rows[row].kinds.x;
+    let system = system_frames[slot];
+    let who = Identity(system.key, frame.frame, index);
+    let row = rows[row_index(slot, frame.frame, frame.row_mask)];
 
-    let place = draw(who, STREAM_PLACE);
     let motion = draw(who, STREAM_MOTION);
-    var direction: vec3<f32>;
-    var position: vec3<f32>;
-    if shape == SHAPE_SPHERE {
-        direction = on_sphere(signed_float(place.x), unit_float(place.y));
-        position = direction * (cube_root(unit_float(place.z)) * extents.x);
-    } else {
-        let cosine = 1.0f - unit_float(motion.x) * (1.0f - extents.w);
-        direction = on_sphere(cosine, unit_float(motion.y));
-        if shape == SHAPE_CIRCLE {
-            let distance = square_root(unit_float(place.x)) * extents.x;
-            let turns = unit_float(place.y);
-            position = vec3<f32>(distance * cos_turns(turns), distance * sin_turns(turns), 0.0f);
-        } else {
-            position = vec3<f32>(
-                signed_float(place.x) * extents.x,
-                signed_float(place.y) * extents.y,
-                0.0f,
-            );
-        }
+    let born = birthplace(row, draw(who, STREAM_PLACE));
+    let speed = row.speed_and_lifetime.x + signed_float(motion.z) * row.speed_and_lifetime.y;
+    let leaving = ejected(row, axis_of(row, born), motion);
+
+    // How much of the frame had gone by at the moment of birth, and how much was then to come.
+    let is_spread = (row.kinds.w & ROW_WITHIN_FRAME) != 0u;
+    let gone = select(0.0f, unit_float(draw(who, STREAM_MOMENT).x), is_spread);
+    let to_come = select(0.0f, 1.0f - gone, is_spread);
+    let x_row = mixed(system.system_from_birth_x, system.earlier_system_from_birth_x, to_come);
+    let y_row = mixed(system.system_from_birth_y, system.earlier_system_from_birth_y, to_come);
+    let z_row = mixed(system.system_from_birth_z, system.earlier_system_from_birth_z, to_come);
+    // Between two turned frames is no turned frame: it would shorten what it turns.
+    let mixed_way = turned(x_row, y_row, z_row, leaving);
+    let way = select(mixed_way, normalize_exact(mixed_way), is_spread);
+    let initial = way * speed;
+    let origin = vec3<f32>(x_row.w, y_row.w, z_row.w);
+    var position = turned(x_row, y_row, z_row, born.position) + origin - initial * gone;
+    var velocity = initial;
+    if (system.flags & SYSTEM_PARABOLIC) != 0u {
+        // The velocity halfway through the frame makes each step end on the parabola.
+        let acceleration = system.acceleration.xyz;
+        position = position + acceleration * (0.5f * gone * gone);
+        velocity = velocity + acceleration * (0.5f - gone);
     }
-    let speed = speeds.x + signed_float(motion.z) * speeds.y;
-    let velocity = direction * speed;
     particles[at - page_start] = Particle(
         vec4<u32>(bits_of(position.x), bits_of(position.y), bits_of(position.z), index),
         vec4<u32>(

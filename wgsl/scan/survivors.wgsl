@@ -1,7 +1,7 @@
 // survivors: the last step up and the first step down of the prefix sum, and the frame's books.
 //
 // One invocation turns sums_2 into exclusive prefix sums, learns how many survive, and writes the
-// frame's line of statistics. Reads: frame. Writes: sums_2, counts, statistics.
+// frame's line of statistics. Reads: frame, deaths. Writes: sums_2, counts, statistics.
 // Invariant: live(f) = live(f-1) + born - died.
 
 #import motes::layout::{Counts, Frame, FrameStats}
@@ -10,9 +10,10 @@
 const STATISTICS_LEN: u32 = 256u;
 
 @group(0) @binding(0) var<uniform> frame: Frame;
-@group(0) @binding(1) var<storage, read_write> sums_2: array<u32>;
-@group(0) @binding(2) var<storage, read_write> counts: Counts;
-@group(0) @binding(3) var<storage, read_write> statistics: array<FrameStats>;
+@group(0) @binding(1) var<storage, read> deaths: array<u32>;
+@group(0) @binding(2) var<storage, read_write> sums_2: array<u32>;
+@group(0) @binding(3) var<storage, read_write> counts: Counts;
+@group(0) @binding(4) var<storage, read_write> statistics: array<FrameStats>;
 
 @compute @workgroup_size(1)
 fn survivors() {
@@ -27,6 +28,13 @@ fn survivors() {
     counts.live = live;
     counts.died = total - live;
     statistics[frame.frame % STATISTICS_LEN] = FrameStats(
-        frame.frame, counts.requested, counts.born, total - live, live, counts.dropped, 0u, 0u,
+        frame.frame,
+        counts.requested,
+        counts.born,
+        total - live,
+        live,
+        counts.dropped,
+        deaths[0],
+        deaths[1],
     );
 }

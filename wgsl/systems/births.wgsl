@@ -1,12 +1,13 @@
 // births: how many particles each system asks for in this frame.
 //
-// Reeves 1983, 2.1: NParts = MeanParts + Rand() VarParts, made whole by stochastic rounding
-// (or to the nearest), never negative.
+// Reeves 1983, 2.1: NParts = MeanParts + Rand() VarParts, or that times the screen area of the
+// system, and bursts besides; made whole by stochastic rounding (or to the nearest), never negative.
 // One invocation a system. Reads: frame, system_frames. Writes: birth_counts.
-// Invariant: birth_counts[s] depends on the system's key and the frame alone.
+// Invariant: birth_counts[s] depends on the system, the view and the frame alone.
 
+#import motes::area::screen_area_px
 #import motes::exact::to_i32
-#import motes::layout::{Frame, SystemFrame}
+#import motes::layout::{Frame, SYSTEM_PER_AREA, SYSTEM_STOCHASTIC, SystemFrame}
 #import motes::particle::{Identity, STREAM_BIRTHS, draw}
 #import motes::rng::{signed_float, unit_float}
 
@@ -27,9 +28,15 @@ fn births(@builtin(global_invocation_id) global_id: vec3<u32>) {
     }
     let key = system_frames[slot].key;
     let random = draw(Identity(key, frame.frame, 0u), STREAM_BIRTHS);
-    let wanted = system_frames[slot].mean_parts
+    let flags = system_frames[slot].flags;
+    var wanted = system_frames[slot].mean_parts
         + signed_float(random.x) * system_frames[slot].var_parts;
-    let stochastic = system_frames[slot].stochastic_rounding == 1u;
+    if (flags & SYSTEM_PER_AREA) != 0u {
+        wanted *= screen_area_px(frame, system_frames[slot].bounding_sphere);
+    }
+    wanted += system_frames[slot].burst_parts
+        + signed_float(random.z) * system_frames[slot].burst_var;
+    let stochastic = (flags & SYSTEM_STOCHASTIC) != 0u;
     let count = to_i32(wanted + select(0.5f, unit_float(random.y), stochastic));
     birth_counts[slot] = u32(clamp(count, 0, MOST_BIRTHS));
 }

@@ -2,7 +2,7 @@
 // emit, the cull and the scan have.
 //
 // One invocation in all: systems are few. Reads: frame, birth_counts. Writes: birth_offsets,
-// counts, dispatches.
+// counts, deaths, dispatches.
 // Invariant: offsets never go down (a sum beyond 32 bits stays at their top);
 // born + dropped = requested and live + born <= capacity; births that do not fit are
 // the last ones, and they are counted.
@@ -16,7 +16,8 @@ const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 @group(0) @binding(1) var<storage, read> birth_counts: array<u32>;
 @group(0) @binding(2) var<storage, read_write> birth_offsets: array<u32>;
 @group(0) @binding(3) var<storage, read_write> counts: Counts;
-@group(0) @binding(4) var<storage, read_write> dispatches: array<Dispatch>;
+@group(0) @binding(4) var<storage, read_write> deaths: array<u32>;
+@group(0) @binding(5) var<storage, read_write> dispatches: array<Dispatch>;
 
 // Groups of 64 that cover `count`.
 fn runs(count: u32) -> u32 {
@@ -41,6 +42,8 @@ fn offsets() {
     counts.dropped = requested - born;
     counts.total = total;
     counts.died = 0u;
+    deaths[0] = 0u;
+    deaths[1] = 0u;
 
     let words = (total + 31u) / 32u;
     dispatches[0] = dispatch_for(runs(words), WORKGROUP_SIZE);

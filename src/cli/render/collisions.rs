@@ -60,7 +60,7 @@ fn picture(target: &OutputTarget, frame: u32) -> PathBuf {
     match target {
         OutputTarget::Folder(folder) => folder.join(format!("frame-{frame:04}.png")),
         OutputTarget::Pattern(pattern) => pattern.path(frame),
-        OutputTarget::Png(path) | OutputTarget::Gif(path) => path.clone(),
+        OutputTarget::Png(path) | OutputTarget::Gif(path) | OutputTarget::Svg(path) => path.clone(),
     }
 }
 

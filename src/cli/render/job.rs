@@ -2,20 +2,30 @@
 
 use std::collections::BTreeMap;
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::cli::{CliError, progress_bar};
 use crate::layout::FrameStats;
 use crate::output::{
-    FrameSink, Measured, ParticleCounts, ParticleRecord, Rgba8Image, StatsRow, StatsWriter,
-    Written, dump_path, write_particles,
+    Drawing, FrameSink, Measured, OutputTarget, ParticleCounts, ParticleRecord, Rgba8Image,
+    StatsRow, StatsWriter, Written, dump_path, write_particles, write_png, write_svg,
 };
 use crate::scene::Scene;
 use crate::simulation::Simulation;
 
+/// Where the pictures go.
+pub(super) enum Pictures {
+    /// Frames of pixels.
+    Frames(FrameSink),
+    /// One frame of lines, in a file.
+    Lines(PathBuf),
+}
+
 /// What is written while frames go by.
 pub(super) struct Job<'a> {
-    pub(super) sink: FrameSink,
+    pub(super) pictures: Pictures,
+    /// The output, if its frames' layers are written beside them.
+    pub(super) layers_beside: Option<&'a OutputTarget>,
     pub(super) stats: Option<StatsWriter>,
     pub(super) dumps: &'a [u32],
     pub(super) dump_dir: &'a Path,
@@ -32,15 +42,17 @@ impl Job<'_> {
         frames: &Range<u32>,
     ) -> Result<u64, CliError> {
         let first = simulation.plan().restart_frame(frames.start);
-        let progress = progress_bar(frames.end - first);
+        let steps = i64::from(frames.end) - i64::from(first);
+        let progress = progress_bar(steps as u32);
         let mut dropped = 0;
-        for frame in first..frames.end {
+        // What is before frame 0 is stepped on the way to it.
+        for frame in first.max(0).cast_unsigned()..frames.end {
             simulation.seek_from(first, frame)?;
             if frames.contains(&frame) {
                 self.frame(simulation, scene, frame)?;
             }
             // Half of the ring: statistics are never lost, and seldom waited for.
-            if (frame - first) % 100 == 99 || frame + 1 == frames.end {
+            if frame % 100 == 99 || frame + 1 == frames.end {
                 let lines = simulation.take_statistics()?;
                 dropped += lines
                     .iter()
@@ -60,13 +72,30 @@ impl Job<'_> {
         scene: &Scene,
         frame: u32,
     ) -> Result<(), CliError> {
+        if let Some(target) = self.layers_beside {
+            for (index, name) in simulation.layer_names().iter().enumerate() {
+                simulation.draw_layer(index)?;
+                let layer = image_of(simulation, scene)?.into_layer();
+                if let Some(path) = target.layer_path(frame, name) {
+                    write_png(&path, &layer)?;
+                }
+            }
+        }
         simulation.draw()?;
-        let image = Rgba8Image {
-            width: scene.image.width,
-            height: scene.image.height,
-            pixels: simulation.image()?,
-        };
-        self.sink.write_frame(frame, &image)?;
+        match &mut self.pictures {
+            Pictures::Frames(sink) => sink.write_frame(frame, &image_of(simulation, scene)?)?,
+            Pictures::Lines(path) => {
+                let now = scene.at(f64::from(frame));
+                let drawing = Drawing {
+                    width: now.image.width,
+                    height: now.image.height,
+                    background: now.image.background,
+                    exposure: now.image.exposure,
+                    lines: &simulation.lines()?,
+                };
+                write_svg(path, &drawing)?;
+            }
+        }
         if self.stats.is_some() {
             self.state_digests.insert(frame, simulation.state_digest()?);
             self.image_digests.insert(frame, simulation.image_digest()?);
@@ -103,6 +132,8 @@ impl Job<'_> {
                     died: line.died.into(),
                     live: line.live.into(),
                     dropped: line.dropped.into(),
+                    died_of_intensity: line.died_of_intensity.into(),
+                    died_of_bounds: line.died_of_bounds.into(),
                 }),
                 digest: self.state_digests.remove(&line.frame),
             })?;
@@ -117,10 +148,22 @@ impl Job<'_> {
     }
 
     pub(super) fn finish(self) -> Result<Written, CliError> {
-        let written = self.sink.finish()?;
+        let written = match self.pictures {
+            Pictures::Frames(sink) => sink.finish()?,
+            Pictures::Lines(_) => Written::default(),
+        };
         if let Some(stats) = self.stats {
             stats.finish()?;
         }
         Ok(written)
     }
+}
+
+/// The image drawn last.
+fn image_of(simulation: &mut Simulation, scene: &Scene) -> Result<Rgba8Image, CliError> {
+    Ok(Rgba8Image {
+        width: scene.image.width,
+        height: scene.image.height,
+        pixels: simulation.image()?,
+    })
 }

@@ -12,14 +12,15 @@ use crate::output::{FrameSink, OutputTarget, StatsWriter};
 use crate::recording::{Recording, RefusedChange};
 use crate::scene;
 use crate::simulation::{AdapterChoice, Options, Simulation};
-use job::Job;
+use job::{Job, Pictures};
 
 /// Arguments of `motes render`.
 #[derive(Debug, clap::Args)]
 pub(super) struct RenderArgs {
     /// A TOML file, or the name of a built-in scene (`motes scenes` lists them)
     scene: String,
-    /// Where to: a folder or name-%04d.png (a PNG a frame), .png (one frame), .gif
+    /// Where to: a folder or name-%04d.png (a PNG a frame), .png (one frame), .gif, .svg (one
+    /// frame as lines)
     /// [default: PNGs under out/SCENE/]
     #[arg(short, long, value_name = "OUT")]
     output: Option<String>,
@@ -29,6 +30,9 @@ pub(super) struct RenderArgs {
     /// Draw this frame alone; the simulation starts as late as particles' lifetimes allow
     #[arg(long, value_name = "N")]
     frame: Option<u32>,
+    /// Write each layer of the picture beside it, with alpha: name-LAYER.png
+    #[arg(long)]
+    layers: bool,
     /// Size of the picture in pixels
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     size: Option<(u32, u32)>,
@@ -119,6 +123,21 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
         &args.dump,
         &dump_dir,
     )?;
+    if args.layers && target.layer_path(0, "").is_none() {
+        return Err(CliError::usage(
+            "--layers writes PNGs beside those of the frames, and this output has none",
+            "a folder, name-%04d.png or name.png after -o",
+        ));
+    }
+    if matches!(target, OutputTarget::Svg(_)) && frames.len() > 1 {
+        return Err(CliError::usage(
+            format!(
+                "a line drawing holds one frame, and there are {}",
+                frames.len()
+            ),
+            "pick one with --frame",
+        ));
+    }
     let turns = match &args.inputs {
         Some(path) => {
             let turns = recording_of(path)?.turns(&args.scene, &sets);
@@ -140,14 +159,19 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
         eprintln!("motes: there is no graphics adapter here; the processor makes the same bits");
     }
     eprintln!("motes: {} on {adapter}", scene.name);
-    let mut job = Job {
-        sink: FrameSink::open(
-            &target,
+    let pictures = match &target {
+        OutputTarget::Svg(path) => Pictures::Lines(path.clone()),
+        target => Pictures::Frames(FrameSink::open(
+            target,
             scene.image.width,
             scene.image.height,
             f64::from(scene.frame_rate),
             frames.len() as u32,
-        )?,
+        )?),
+    };
+    let mut job = Job {
+        pictures,
+        layers_beside: args.layers.then_some(&target),
         stats: args.stats.as_deref().map(StatsWriter::create).transpose()?,
         dumps: &args.dump,
         dump_dir: &dump_dir,

@@ -14,7 +14,7 @@ fn byte_of(light: f32) -> u32 {
 pub fn resolve(frame: &Frame, light: &LightSums, pixel: usize) -> u32 {
     let channel = |at: usize| {
         let (low, high) = light.limbs(pixel * 3 + at);
-        byte_of(light_of(low, high) + frame.background[at])
+        byte_of(light_of(low, high) * frame.exposure + frame.background[at])
     };
     channel(0) | (channel(1) << 8) | (channel(2) << 16) | 0xff00_0000
 }

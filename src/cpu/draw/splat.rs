@@ -3,13 +3,12 @@
 
 use glam::Vec3;
 
-use crate::cpu::footprint::{
-    Footprint, MOST_RADIUS_PX, PI, SMALL_DISC, SQUARE, is_visible, project,
-};
+use crate::cpu::footprint::{Footprint, PI, SMALL_DISC, SQUARE, is_visible};
 use crate::cpu::light::{LightSums, steps_of};
-use crate::cpu::particle::{appearance_of, identity_of, row_index};
-use crate::exact::{clamp_exact, f32_of_i32, less, min_exact, reciprocal, square_root, to_i32};
-use crate::layout::{PARTICLE_RECTANGLE, PARTICLE_STREAK, Particle, STREAK_CONSTANT, SystemRow};
+use crate::cpu::particle::row_index;
+use crate::cpu::sprite::{Sprite, next_layer, sprite_of};
+use crate::exact::{clamp_exact, dot3, f32_of_i32, less, reciprocal, square_root, to_i32};
+use crate::layout::{Particle, SystemRow};
 use crate::plan::FrameInputs;
 
 #[inline]
@@ -42,7 +41,8 @@ fn draw_row(light: &LightSums, shape: &Footprint, major: i32, color: Vec3) {
 }
 
 /// A disc at rest that covers at most the nine pixels around its centre's.
-fn draw_small_disc(light: &LightSums, center: (f32, f32), reach: f32, radius_px: f32, color: Vec3) {
+fn draw_small_disc(light: &LightSums, sprite: &Sprite, reach: f32) {
+    let center = (sprite.start.x, sprite.start.y);
     let left = to_i32(center.0) - 1;
     let top = to_i32(center.1) - 1;
     let mut weights = [0.0; 9];
@@ -55,47 +55,59 @@ fn draw_small_disc(light: &LightSums, center: (f32, f32), reach: f32, radius_px:
         weights[at as usize] = weight;
         sum += weight;
     }
-    let gain = PI * radius_px * radius_px * reciprocal(sum);
+    let gain = PI * sprite.radius_px * sprite.radius_px * reciprocal(sum);
     for at in 0..9 {
         let x = left + at % 3;
         let y = top + at / 3;
         let weight = weights[at as usize] * gain;
         let inside = x >= 0 && y >= 0 && x < light.width as i32 && y < light.height as i32;
         if less(0.0, weight) && inside {
-            add_light(light, x, y, color, weight);
+            add_light(light, x, y, sprite.color, weight);
         }
+    }
+}
+
+/// The layer, from 1, that a world place is in.
+#[inline]
+fn layer_of(planes: &[[f32; 4]], world: Vec3) -> u32 {
+    let mut layer = 0;
+    for (at, [x, y, z, offset]) in planes.iter().enumerate() {
+        let signed_distance = dot3(Vec3::new(*x, *y, *z), world) - offset;
+        layer = next_layer(layer, at as u32, signed_distance);
+    }
+    if layer == 0 {
+        planes.len() as u32 + 1
+    } else {
+        layer
     }
 }
 
 /// Adds the light of `particle`, as of the frame of `inputs`.
 pub fn splat(particle: &Particle, inputs: &FrameInputs, rows: &[SystemRow], light: &LightSums) {
     let frame = &inputs.frame;
-    let system = &inputs.systems[particle.slot() as usize];
-    let (who, age) = identity_of(particle, inputs);
-    let row = &rows[row_index(particle.slot(), who.birth_frame, frame.row_mask)];
-    let look = appearance_of(who, row, age + 1);
-    let [_, particle_shape, streak_light, _] = row.kinds;
-
-    let position = Vec3::from(particle.position());
-    let start = project(frame, system, position);
-    let mut end = start;
-    if particle_shape == PARTICLE_STREAK {
-        let velocity = Vec3::from(particle.velocity());
-        end = project(frame, system, position + velocity * frame.shutter);
-    }
-    let radius_px = min_exact(look.size * start.scale, MOST_RADIUS_PX);
-    if !is_visible(frame, start, end, radius_px) {
+    let birth_frame = frame.frame.wrapping_sub(particle.age(frame.frame));
+    let row = &rows[row_index(particle.slot(), birth_frame, frame.row_mask)];
+    let sprite = sprite_of(inputs, row, particle);
+    let (start, end) = (sprite.start, sprite.end);
+    if !is_visible(frame, start, end, sprite.radius_px) {
         return;
     }
-    let color = look.color * (1.0 - look.transparency);
-    let square = particle_shape == PARTICLE_RECTANGLE;
-    let conserved = streak_light != STREAK_CONSTANT;
-    let shape = Footprint::new(frame, start, end, radius_px, square, conserved);
+    if frame.layer != 0 && layer_of(&inputs.layer_planes, sprite.world) != frame.layer {
+        return;
+    }
+    let shape = Footprint::new(
+        frame,
+        start,
+        end,
+        sprite.radius_px,
+        sprite.square,
+        sprite.conserved,
+    );
     if shape.kind == SMALL_DISC {
-        draw_small_disc(light, (start.x, start.y), shape.reach, radius_px, color);
+        draw_small_disc(light, &sprite, shape.reach);
     } else {
         for major in shape.first..shape.last {
-            draw_row(light, &shape, major, color);
+            draw_row(light, &shape, major, sprite.color);
         }
     }
 }

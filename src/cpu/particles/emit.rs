@@ -1,55 +1,83 @@
 //! emit: the attributes of one newborn (Reeves 1983, 2.2). Twin of `wgsl/particles/emit.wgsl`.
 
-use glam::Vec3;
+use glam::{UVec4, Vec3};
 
-use crate::cpu::particle::{Identity, STREAM_MOTION, STREAM_PLACE, draw};
-use crate::exact::{bits_of, max_exact, square_root};
-use crate::layout::{Particle, SHAPE_CIRCLE, SHAPE_SPHERE, SystemRow};
+use crate::cpu::emission::{Birthplace, axis_of, ejected, in_shape, mixed, on_curve, turned};
+use crate::cpu::particle::{Identity, STREAM_MOMENT, STREAM_MOTION, STREAM_PLACE, draw};
+use crate::exact::{bits_of, f32_of_u32, normalize_exact, to_i32};
+use crate::layout::{
+    Particle, ROW_WITHIN_FRAME, SHAPE_CURVE, SYSTEM_PARABOLIC, SystemFrame, SystemRow,
+};
 use crate::rng::{signed_float, unit_float};
-use crate::transcendental::{cos_turns, cube_root, sin_turns};
 
-/// The unit vector at height z on the sphere, `turns` around the z axis.
 #[inline]
-fn on_sphere(z: f32, turns: f32) -> Vec3 {
-    let ring = square_root(max_exact(1.0 - z * z, 0.0));
-    Vec3::new(ring * cos_turns(turns), ring * sin_turns(turns), z)
+fn birthplace(row: &SystemRow, curve_points: &[[f32; 4]], place: UVec4) -> Birthplace {
+    if row.kinds[0] == SHAPE_CURVE {
+        let along = unit_float(place.x) * (row.shape[2] - 1.0);
+        let before = to_i32(along) as u32;
+        let first = to_i32(row.shape[1]) as u32 + before;
+        let part = along - f32_of_u32(before);
+        let point = |at: u32| Vec3::from_slice(&curve_points[at as usize]);
+        return on_curve(point(first), point(first + 1), part, row.shape[0]);
+    }
+    in_shape(row, place)
 }
 
 /// The newborn `who` of the system in `slot`, in the system's space.
 #[inline]
-pub fn emit(who: Identity, slot: u32, row: &SystemRow) -> Particle {
-    let extents = row.shape;
-    let speeds = row.speed_and_lifetime;
-    let shape = row.kinds[0];
-
-    let place = draw(who, STREAM_PLACE);
+pub fn emit(
+    who: Identity,
+    slot: u32,
+    system: &SystemFrame,
+    row: &SystemRow,
+    curve_points: &[[f32; 4]],
+) -> Particle {
     let motion = draw(who, STREAM_MOTION);
-    let direction;
-    let position;
-    if shape == SHAPE_SPHERE {
-        direction = on_sphere(signed_float(place.x), unit_float(place.y));
-        position = direction * (cube_root(unit_float(place.z)) * extents[0]);
+    let born = birthplace(row, curve_points, draw(who, STREAM_PLACE));
+    let speed = row.speed_and_lifetime[0] + signed_float(motion.z) * row.speed_and_lifetime[1];
+    let leaving = ejected(row, axis_of(row, &born), motion);
+
+    let is_spread = row.kinds[3] & ROW_WITHIN_FRAME != 0;
+    let random = unit_float(draw(who, STREAM_MOMENT).x);
+    let (gone, to_come) = if is_spread {
+        (random, 1.0 - random)
     } else {
-        let cosine = 1.0 - unit_float(motion.x) * (1.0 - extents[3]);
-        direction = on_sphere(cosine, unit_float(motion.y));
-        if shape == SHAPE_CIRCLE {
-            let distance = square_root(unit_float(place.x)) * extents[0];
-            let turns = unit_float(place.y);
-            position = Vec3::new(
-                distance * cos_turns(turns),
-                distance * sin_turns(turns),
-                0.0,
-            );
-        } else {
-            position = Vec3::new(
-                signed_float(place.x) * extents[0],
-                signed_float(place.y) * extents[1],
-                0.0,
-            );
-        }
+        (0.0, 0.0)
+    };
+    let rows = [
+        mixed(
+            system.system_from_birth_x,
+            system.earlier_system_from_birth_x,
+            to_come,
+        ),
+        mixed(
+            system.system_from_birth_y,
+            system.earlier_system_from_birth_y,
+            to_come,
+        ),
+        mixed(
+            system.system_from_birth_z,
+            system.earlier_system_from_birth_z,
+            to_come,
+        ),
+    ];
+    // Between two turned frames is no turned frame: it would shorten what it turns.
+    let mixed_way = turned(rows, leaving);
+    let way = if is_spread {
+        normalize_exact(mixed_way)
+    } else {
+        mixed_way
+    };
+    let initial = way * speed;
+    let origin = Vec3::from(rows.map(|row| row[3]));
+    let mut position = turned(rows, born.position) + origin - initial * gone;
+    let mut velocity = initial;
+    if system.flags & SYSTEM_PARABOLIC != 0 {
+        // The velocity halfway through the frame makes each step end on the parabola.
+        let acceleration = Vec3::from_slice(&system.acceleration);
+        position += acceleration * (0.5 * gone * gone);
+        velocity += acceleration * (0.5 - gone);
     }
-    let speed = speeds[0] + signed_float(motion.z) * speeds[1];
-    let velocity = direction * speed;
     Particle {
         position_and_index: [
             bits_of(position.x),

@@ -1,9 +1,10 @@
 //! births: how many particles each system asks for, where they go, and how many there is room for.
 //! The float work is the twin of `wgsl/systems/births.wgsl`; the sums are plain Rust.
 
+use crate::area::screen_area_px;
 use crate::cpu::particle::{Identity, STREAM_BIRTHS, draw};
 use crate::exact::{shared_constants, to_i32};
-use crate::layout::{Counts, SystemFrame};
+use crate::layout::{Counts, Frame, SYSTEM_PER_AREA, SYSTEM_STOCHASTIC, SystemFrame};
 use crate::plan::FrameInputs;
 use crate::rng::{signed_float, unit_float};
 
@@ -13,24 +14,24 @@ shared_constants! {
 }
 
 /// Births that the system asks for in `frame` (Reeves 1983, 2.1).
-pub fn births_of(system: &SystemFrame, frame: u32) -> u32 {
+pub fn births_of(system: &SystemFrame, frame: &Frame) -> u32 {
     let who = Identity {
         key: system.key,
-        birth_frame: frame,
+        birth_frame: frame.frame,
         index: 0,
     };
     let random = draw(who, STREAM_BIRTHS);
-    let wanted = system.mean_parts + signed_float(random.x) * system.var_parts;
-    let stochastic = system.stochastic_rounding == 1;
-    let count = to_i32(
-        wanted
-            + if stochastic {
-                unit_float(random.y)
-            } else {
-                0.5
-            },
-    );
-    count.clamp(0, MOST_BIRTHS) as u32
+    let mut wanted = system.mean_parts + signed_float(random.x) * system.var_parts;
+    if system.flags & SYSTEM_PER_AREA != 0 {
+        wanted *= screen_area_px(frame, system.bounding_sphere);
+    }
+    wanted += system.burst_parts + signed_float(random.z) * system.burst_var;
+    let rounding = if system.flags & SYSTEM_STOCHASTIC != 0 {
+        unit_float(random.y)
+    } else {
+        0.5
+    };
+    to_i32(wanted + rounding).clamp(0, MOST_BIRTHS) as u32
 }
 
 /// Births by system, and the running sum before each with the total at the end.
@@ -38,7 +39,7 @@ pub fn births(inputs: &FrameInputs) -> (Vec<u32>, Vec<u32>) {
     let counts: Vec<u32> = inputs
         .systems
         .iter()
-        .map(|system| births_of(system, inputs.frame.frame))
+        .map(|system| births_of(system, &inputs.frame))
         .collect();
     let mut offsets = vec![0];
     offsets.extend(counts.iter().scan(0u32, |sum, count| {

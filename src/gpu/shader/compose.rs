@@ -42,7 +42,17 @@ pub(super) struct Input<'a> {
 
 /// What a shader may leave out, by `const STREAKS: bool = #{STREAKS};`, when a plan has no use for
 /// it: drivers drop the code, and software drivers would otherwise run it masked.
-pub(super) const SWITCHES: &[&str] = &["THRESHOLDS", "STREAKS", "RECTANGLES"];
+pub(super) const SWITCHES: &[&str] = &[
+    "THRESHOLDS",
+    "BOUNDS",
+    "RATE_SPREADS",
+    "DRAGS",
+    "NOISES",
+    "STREAKS",
+    "RECTANGLES",
+    "LIGHT_DISTANCES",
+    "LAYERS",
+];
 
 /// A composed and validated module.
 pub(super) struct Composed {

@@ -32,9 +32,15 @@ pub static LIBRARIES: &[Source] = sources![
     "lib/exact",
     "lib/transcendental",
     "lib/rng",
+    "lib/noise",
+    "lib/wind",
+    "lib/area",
     "lib/light",
     "lib/particle",
+    "lib/emission",
+    "lib/projection",
     "lib/footprint",
+    "lib/sprite",
 ];
 
 /// Kernels, in the order of the frame.
@@ -58,7 +64,8 @@ pub static KERNELS: &[Source] = sources![
 ];
 
 /// Kernels of no frame: what others are measured against.
-pub static YARDSTICKS: &[Source] = sources!["bench/copy"];
+pub static YARDSTICKS: &[Source] =
+    sources!["bench/copy", "bench/noise_simplex", "bench/noise_lattice"];
 
 /// The listed file of that name, kernel or library.
 pub fn find(name: &str) -> Option<&'static Source> {

@@ -1,6 +1,7 @@
 //! The tables themselves. A row: key, kind, default or example, unit, meaning.
 
-use super::{Field, Kind, Limits, Presence, Variant};
+use super::kinds::{EXTINCTIONS, GENERATION_SHAPES, WINDS};
+use super::{Field, Kind, Limits, Presence};
 
 /// Keys at the top of a scene file.
 #[rustfmt::skip] // one row a line
@@ -14,6 +15,8 @@ pub const SCENE: &[Field] = &[
     default("image", Kind::Table(IMAGE), "{}", "", "the picture that frames are drawn into"),
     required("camera", Kind::Table(CAMERA), "{ position = [0, 1, 5], target = [0, 0, 0] }", "", "the viewer"),
     required("system", Kind::Tables { fields: SYSTEM, max: 1024 }, "[{ name = \"jet\", initial_mean_parts = 100, generation_shape = { kind = \"sphere\", radius = 1 }, speed = 0.1, lifetime = 60, color = [0.4, 0.1, 0.02], size = 0.02 }]", "", "the particle systems, one `[[system]]` each"),
+    default("wind", Kind::List { variants: WINDS, max: 16 }, "[]", "", "the parts of the wind, one `[[wind]]` each: it is their sum, and drag makes particles follow it"),
+    default("layer", Kind::Tables { fields: LAYER, max: 8 }, "[]", "", "planes that split the picture into layers, one `[[layer]]` each"),
 ];
 
 /// Keys of `[image]`.
@@ -23,6 +26,16 @@ pub const IMAGE: &[Field] = &[
     default("height", whole(1, 4096), "720", "pixels", "down"),
     default("background", numbers(3, 0.0, 1.0), "[0, 0, 0]", "display-referred red, green, blue", "colour behind everything"),
     default("shutter", numbers(1, 0.0, 1.0), "0.5", "frames", "how much of a frame the shutter is open, so how long streaks are"),
+    default("shutter_weighting", Kind::Choice(&["camera", "eye"]), "\"camera\"", "", "whether light counts alike while the shutter is open, or the later the more"),
+    default("exposure", numbers(1, 0.0, 1e3), "1", "", "factor of the light of all particles"),
+];
+
+/// Keys of each `[[layer]]`.
+#[rustfmt::skip] // one row a line
+pub const LAYER: &[Field] = &[
+    required("name", Kind::Name, "\"behind\"", "", "unique; a part of file names"),
+    required("point", PLACE, "[0, 0, 0]", "world units", "a point of the plane"),
+    required("normal", PLACE, "[0, 0, 1]", "world space", "where the plane faces; the layer is what is behind it and in no layer before"),
 ];
 
 /// Keys of `[camera]`.
@@ -31,6 +44,8 @@ pub const CAMERA: &[Field] = &[
     required("position", PLACE, "[0, 1, 5]", "world units", "where it stands"),
     required("target", PLACE, "[0, 0, 0]", "world units", "what it looks at"),
     default("up", PLACE, "[0, 1, 0]", "world space", "which way is up in the picture"),
+    default("projection", Kind::Choice(&["perspective", "orthographic"]), "\"perspective\"", "", "whether what is farther is smaller"),
+    default("view_height", numbers(1, 1e-6, 1e6), "4", "world units", "from the picture's bottom to its top, if orthographic"),
     default("vertical_fov_degrees", numbers(1, 1.0, 170.0), "45", "degrees", "the whole vertical angle of view"),
     default("near", numbers(1, 1e-6, 1e6), "0.1", "world units", "nothing nearer is drawn"),
 ];
@@ -40,64 +55,62 @@ pub const CAMERA: &[Field] = &[
 pub const SYSTEM: &[Field] = &[
     required("name", Kind::Name, "\"jet\"", "", "unique; a part of every particle's identity"),
     default("position", PLACE, "[0, 0, 0]", "world units", "the system's origin"),
-    default("rotation_degrees", numbers(2, -360.0, 360.0), "[0, 0]", "degrees", "turns about x, then about y; local +z is the system's up"),
-    default("first_frame", whole(0, 1_000_000), "0", "frames", "the first frame with births"),
-    optional("end_frame", whole(1, 1_000_000), "60", "frames", "the first frame without births again; never if left out"),
+    default("rotation_degrees", numbers(2, -36_000.0, 36_000.0), "[0, 0]", "degrees", "turns about x, then about y; local +z is the system's up"),
+    default("first_frame", whole(-65_000, 1_000_000), "0", "frames", "the first frame with births; below 0, the system is under way when the scene begins"),
+    optional("end_frame", whole(-64_999, 1_000_000), "60", "frames", "the first frame without births again; never if left out"),
+    default("trigger_frames", Kind::Wholes { min: -65_000, max: 1_000_000, most: 256 }, "[]", "frames", "when the system begins anew: frames of its births then count from the last of these"),
+    default("burst", Kind::Tables { fields: BURST, max: 64 }, "[]", "", "births all at once, besides the others"),
+    default("birth_moment", Kind::Choice(&["frame_start", "within_frame"]), "\"frame_start\"", "", "whether particles are born at a frame's start, or at any moment of it, so that jets and moving systems leave no gaps"),
+    default("particle_space", Kind::Choice(&["system", "world"]), "\"system\"", "", "whether the living move and turn with their system, or stay behind"),
     optional("initial_mean_parts", PARTS, "1000", "particles a frame", "mean births in the first frame"),
     default("delta_mean_parts", PARTS_CHANGE, "0", "particles a frame", "added to the mean each frame"),
+    default("quadratic_mean_parts", PARTS_CHANGE, "0", "particles a frame", "times the squared number of frames since the first"),
+    default("cubic_mean_parts", PARTS_CHANGE, "0", "particles a frame", "times the cubed number of frames since the first"),
     default("var_parts", PARTS, "0", "particles a frame", "half the width of the range around the mean"),
+    default("delta_var_parts", PARTS_CHANGE, "0", "particles a frame", "added to the half-width each frame"),
+    default("quadratic_var_parts", PARTS_CHANGE, "0", "particles a frame", "times the squared number of frames since the first"),
+    default("cubic_var_parts", PARTS_CHANGE, "0", "particles a frame", "times the cubed number of frames since the first"),
     optional("initial_mean_parts_per_area", DENSITY, "0.5", "particles a frame and pixel of screen area", "mean births in the first frame"),
     default("delta_mean_parts_per_area", DENSITY_CHANGE, "0", "particles a frame and pixel of screen area", "added to the mean each frame"),
+    default("quadratic_mean_parts_per_area", DENSITY_CHANGE, "0", "particles a frame and pixel of screen area", "times the squared number of frames since the first"),
+    default("cubic_mean_parts_per_area", DENSITY_CHANGE, "0", "particles a frame and pixel of screen area", "times the cubed number of frames since the first"),
     default("var_parts_per_area", DENSITY, "0", "particles a frame and pixel of screen area", "half the width of the range around the mean"),
+    default("delta_var_parts_per_area", DENSITY_CHANGE, "0", "particles a frame and pixel of screen area", "added to the half-width each frame"),
+    default("quadratic_var_parts_per_area", DENSITY_CHANGE, "0", "particles a frame and pixel of screen area", "times the squared number of frames since the first"),
+    default("cubic_var_parts_per_area", DENSITY_CHANGE, "0", "particles a frame and pixel of screen area", "times the cubed number of frames since the first"),
+    default("mean_parts_wander", numbers(1, 0.0, 1.0), "0", "a share of the mean", "how far the mean strays at random, slowly"),
+    default("mean_parts_wander_frames", numbers(1, 1.0, 1e6), "24", "frames", "over how many frames it does"),
     default("birth_rounding", Kind::Choice(&["stochastic", "nearest"]), "\"stochastic\"", "", "how a fractional number of births becomes a whole one"),
     required("generation_shape", Kind::Variants(GENERATION_SHAPES), "{ kind = \"sphere\", radius = 1 }", "", "where particles are born"),
-    default("ejection_angle_degrees", numbers(1, 0.0, 180.0), "0", "degrees", "half-angle of the cone about local +z that circle and rectangle births leave within"),
+    optional("ejection_axis", Kind::Choice(&["up", "outward", "around"]), "\"up\"", "", "the axis of the cone that particles leave within; outward for sphere and cone, along the curve for an attractor and up for the others if left out"),
+    default("ejection_angle_degrees", numbers(1, 0.0, 180.0), "0", "degrees", "half-angle of that cone"),
+    default("ejection_spread", Kind::Choice(&["solid_angle", "angle"]), "\"solid_angle\"", "", "what is uniform in that cone"),
     required("speed", spread((-1e4, 1e4), (0.0, 1e4)), "{ mean = 0.1, var = 0.02 }", "world units a frame", "initial speed"),
-    required("lifetime", spread((1.0, 65_000.0), (0.0, 65_000.0)), "{ mean = 60, var = 10 }", "frames", "how long particles live"),
+    optional("lifetime", spread((1.0, 65_000.0), (0.0, 65_000.0)), "{ mean = 60, var = 10 }", "frames", "how long particles live; age kills nobody if left out"),
     required("color", changing(3, (0.0, 1e3), 1e3), "{ mean = [0.4, 0.1, 0.02] }", "light of a fully covered pixel in red, green, blue", "colour"),
     default("transparency", changing(1, (0.0, 1.0), 1.0), "{ mean = 0 }", "0 opaque, 1 invisible", "light is scaled by 1 - transparency"),
     required("size", changing(1, (1e-6, 1e4), 1e4), "{ mean = 0.02 }", "world units", "radius, or half the width of a rectangle"),
     default("acceleration", numbers(3, -1e4, 1e4), "[0, 0, 0]", "world units a frame squared, world space", "added to the velocity each frame"),
+    default("drag", numbers(1, 0.0, 1.0), "0", "a share of the velocity", "how much of its velocity against the wind a particle loses each frame"),
+    default("integration", Kind::Choice(&["euler", "parabola"]), "\"euler\"", "", "whether velocities are those at the start of a frame, or halfway through it, which puts particles on exact parabolas"),
     default("particle_shape", Kind::Choice(&["sphere", "rectangle", "streak"]), "\"sphere\"", "", "what a particle looks like"),
     default("streak_light", Kind::Choice(&["conserved", "constant"]), "\"conserved\"", "", "whether a streak's light is spread along it, or full everywhere"),
     optional("intensity_threshold", numbers(1, 0.0, 1e3), "0.01", "light", "a particle dimmer than this is killed; never if left out"),
+    default("intensity", Kind::Choice(&["brightest", "luminance"]), "\"brightest\"", "", "what intensity is: 1 - transparency times the brightest channel, or times the luminance"),
+    default("extinction", Kind::List { variants: EXTINCTIONS, max: 16 }, "[]", "", "where particles may not be, one `[[system.extinction]]` each"),
+    optional("light_distance", numbers(1, 1e-6, 1e6), "10", "world units", "where light is as the colour says; it falls with the squared distance from the eye, or not at all if left out"),
 ];
 
-/// What `generation_shape` can be (Reeves 1983, 2.2).
-pub const GENERATION_SHAPES: &[Variant] = &[
-    Variant {
-        name: "sphere",
-        fields: &[required(
-            "radius",
-            EXTENT,
-            "1",
-            "world units",
-            "particles leave outward",
-        )],
-    },
-    Variant {
-        name: "circle",
-        fields: &[required(
-            "radius",
-            EXTENT,
-            "1",
-            "world units",
-            "in the local x-y plane",
-        )],
-    },
-    Variant {
-        name: "rectangle",
-        fields: &[
-            required("length", EXTENT, "1", "world units", "extent along local x"),
-            required("width", EXTENT, "1", "world units", "extent along local y"),
-        ],
-    },
+/// Keys of each `[[system.burst]]`.
+#[rustfmt::skip] // one row a line
+pub const BURST: &[Field] = &[
+    required("frame", whole(-65_000, 1_000_000), "10", "frames", "when, from frame 0 or the last trigger"),
+    required("parts", spread((0.0, 16e6), (0.0, 16e6)), "{ mean = 1000, var = 100 }", "particles", "how many"),
 ];
 
 const TITLE: Kind = text(200, false);
 const DESCRIPTION: Kind = text(10_000, true);
-const PLACE: Kind = numbers(3, -1e6, 1e6);
-const EXTENT: Kind = numbers(1, 0.0, 1e6);
+pub(super) const PLACE: Kind = numbers(3, -1e6, 1e6);
 const PARTS: Kind = numbers(1, 0.0, 16e6);
 const PARTS_CHANGE: Kind = numbers(1, -16e6, 16e6);
 const DENSITY: Kind = numbers(1, 0.0, 1e3);
@@ -107,7 +120,7 @@ const fn text(max_chars: usize, lines: bool) -> Kind {
     Kind::Text { max_chars, lines }
 }
 
-const fn whole(min: i64, max: i64) -> Kind {
+pub(super) const fn whole(min: i64, max: i64) -> Kind {
     Kind::Whole { min, max }
 }
 
@@ -115,7 +128,7 @@ const fn limits((min, max): (f64, f64)) -> Limits {
     Limits { min, max }
 }
 
-const fn numbers(count: usize, min: f64, max: f64) -> Kind {
+pub(super) const fn numbers(count: usize, min: f64, max: f64) -> Kind {
     let limits = limits((min, max));
     Kind::Numbers { count, limits }
 }
@@ -140,7 +153,7 @@ const fn changing(count: usize, mean: (f64, f64), most: f64) -> Kind {
 
 type Str = &'static str;
 
-const fn required(key: Str, kind: Kind, example: Str, unit: Str, about: Str) -> Field {
+pub(super) const fn required(key: Str, kind: Kind, example: Str, unit: Str, about: Str) -> Field {
     let presence = Presence::Required(example);
     Field {
         key,
@@ -162,7 +175,7 @@ const fn optional(key: Str, kind: Kind, example: Str, unit: Str, about: Str) -> 
     }
 }
 
-const fn default(key: Str, kind: Kind, value: Str, unit: Str, about: Str) -> Field {
+pub(super) const fn default(key: Str, kind: Kind, value: Str, unit: Str, about: Str) -> Field {
     let presence = Presence::Default(value);
     Field {
         key,

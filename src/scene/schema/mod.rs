@@ -4,8 +4,10 @@
 //! written `--set`-style: `image.width`, `system.0.speed.mean`.
 
 mod keys;
+mod kinds;
 
-pub use keys::{CAMERA, GENERATION_SHAPES, IMAGE, SCENE, SYSTEM};
+pub use keys::{BURST, CAMERA, IMAGE, LAYER, SCENE, SYSTEM};
+pub use kinds::{EXTINCTIONS, GENERATION_SHAPES, WINDS};
 
 /// One key of a table.
 #[derive(Clone, Copy, Debug)]
@@ -62,6 +64,17 @@ pub enum Kind {
         /// The greatest value.
         max: i64,
     },
+    /// An array of whole numbers in ascending order.
+    Wholes {
+        /// The least value.
+        min: i32,
+        /// The greatest value.
+        max: i32,
+        /// Most of them.
+        most: usize,
+    },
+    /// `true` or `false`.
+    Flag,
     /// A finite number if `count` is 1, else an array of that many.
     Numbers {
         /// How many.
@@ -69,8 +82,8 @@ pub enum Kind {
         /// What each may be.
         limits: Limits,
     },
-    /// A table of `mean`, `var` (a half-width, by default 0) and, if `rate` is some, `rate` (by
-    /// default 0); or the mean alone. Each is a number if `count` is 1, else an array.
+    /// A table of `mean`, `var` (a half-width, by default 0) and, if `rate` is some, `rate` and
+    /// `rate_var` (by default 0); or the mean alone. Each is a number if `count` is 1, else an array.
     Randomised {
         /// How many numbers each of mean, var and rate is.
         count: usize,
@@ -85,7 +98,7 @@ pub enum Kind {
     Choice(&'static [&'static str]),
     /// A table with these keys.
     Table(&'static [Field]),
-    /// An array of such tables, 1 ..= `max` of them.
+    /// An array of such tables, `max` of them at most.
     Tables {
         /// Keys of each.
         fields: &'static [Field],
@@ -94,6 +107,13 @@ pub enum Kind {
     },
     /// A table whose key `kind` says which keys it has besides.
     Variants(&'static [Variant]),
+    /// An array of such tables, 0 ..= `max` of them.
+    List {
+        /// What each can be.
+        variants: &'static [Variant],
+        /// Most tables.
+        max: usize,
+    },
 }
 
 /// One choice of a [`Kind::Variants`].
@@ -114,7 +134,7 @@ impl Field {
         }
     }
 
-    /// The keys of a [`Kind::Randomised`]'s table: mean, var and perhaps rate. Else empty.
+    /// The keys of a [`Kind::Randomised`]'s table: mean, var and perhaps rate and rate_var. Else empty.
     #[must_use]
     pub fn randomised_fields(&self) -> Vec<Field> {
         let Kind::Randomised {
@@ -141,7 +161,12 @@ impl Field {
             field("mean", mean, required, "the middle of the range"),
             field("var", var, default, "half the width of the range"),
         ];
-        fields.extend(rate.map(|rate| field("rate", rate, default, "what each frame adds")));
+        if let Some(rate) = rate {
+            let limits = Limits { min: 0.0, ..rate };
+            let about = "half the width of the range of single particles' rates";
+            fields.push(field("rate", rate, default, "what each frame adds"));
+            fields.push(field("rate_var", limits, default, about));
+        }
         fields
     }
 }

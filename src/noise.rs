@@ -1,0 +1,106 @@
+//! Band-limited noise in three dimensions with its exact gradient, the twin of `wgsl/lib/noise.wgsl`:
+//! simplex noise (Perlin, "Noise Hardware", SIGGRAPH course notes 2001), the small-scale wind of
+//! Perry (1994), 3.2.3.
+
+use glam::{Vec3, Vec4};
+
+use crate::exact::{floor_exact, less, max_exact, shared_constants, to_i32};
+
+shared_constants! {
+    /// Simplices a unit.
+    pub const CELLS_PER_UNIT: f32 = 0.5;
+    /// From places to the grid of cubes that simplices are cut from, and back.
+    const SKEW: f32 = 0.333_333_34;
+    const UNSKEW: f32 = 0.166_666_67;
+    /// Kernels end at the square root of this.
+    const REACH_SQUARED: f32 = 0.5;
+    /// Makes the root mean square of the gradient 1, as measured.
+    const GRADIENT_GAIN: f32 = 143.064_65;
+    /// Gradients repeat after so many cells, less one.
+    pub const CELL_MASK: u32 = 4095;
+    const CELL_X: u32 = 0x8da6_b343;
+    const CELL_Y: u32 = 0xd816_3841;
+    const CELL_Z: u32 = 0xcb1a_b31f;
+    const ROUND_A: u32 = 0x21f0_aaad;
+    const ROUND_B: u32 = 0x735a_2d97;
+    const ONE_BITS: u32 = 0x3f80_0000;
+    const GRADIENT_MIDDLE: f32 = 1.499_511_7;
+}
+
+/// The noise repeats after this many units along each axis: offsets may be taken modulo it.
+/// Skewing maps this many units to whole periods of [`CELL_MASK`] + 1 cells along all axes.
+pub const PERIOD: f64 = 24_576.0;
+
+/// The random gradient of a corner: components symmetric around zero, at most a half.
+#[inline]
+pub fn corner_gradient(x: u32, y: u32, z: u32, key: u32) -> Vec3 {
+    let mut h = (x & CELL_MASK)
+        .wrapping_mul(CELL_X)
+        .wrapping_add((y & CELL_MASK).wrapping_mul(CELL_Y))
+        .wrapping_add((z & CELL_MASK).wrapping_mul(CELL_Z))
+        .wrapping_add(key);
+    h = (h ^ (h >> 16)).wrapping_mul(ROUND_A);
+    h = (h ^ (h >> 15)).wrapping_mul(ROUND_B);
+    h ^= h >> 15;
+    Vec3::new(
+        f32::from_bits(((h << 13) & 0x007f_e000) | ONE_BITS) - GRADIENT_MIDDLE,
+        f32::from_bits(((h << 3) & 0x007f_e000) | ONE_BITS) - GRADIENT_MIDDLE,
+        f32::from_bits(((h >> 7) & 0x007f_e000) | ONE_BITS) - GRADIENT_MIDDLE,
+    )
+}
+
+/// What a corner adds, seen from it at `d`: the gradient, and the value in w.
+#[inline]
+fn from_corner(slope: Vec3, d: Vec3) -> Vec4 {
+    let t = max_exact(REACH_SQUARED - (d.x * d.x + d.y * d.y + d.z * d.z), 0.0);
+    let t2 = t * t;
+    let t4 = t2 * t2;
+    let rise = slope.x * d.x + slope.y * d.y + slope.z * d.z;
+    let inward = -8.0 * (t2 * t) * rise;
+    (t4 * slope + inward * d).extend(t4 * rise)
+}
+
+/// The gradient of the noise at `p`, per unit of `p`, and its value in w. `key` says which noise.
+///
+/// The root mean square of the gradient is 1, the value's standard deviation 0.2582.
+#[inline]
+pub fn noise(p: Vec3, key: u32) -> Vec4 {
+    let q = p * CELLS_PER_UNIT;
+    let skew = (q.x + q.y + q.z) * SKEW;
+    let skewed = Vec3::new(q.x + skew, q.y + skew, q.z + skew);
+    let cell = Vec3::new(
+        floor_exact(skewed.x),
+        floor_exact(skewed.y),
+        floor_exact(skewed.z),
+    );
+    let unskew = (cell.x + cell.y + cell.z) * UNSKEW;
+    let d = q - (cell - Vec3::splat(unskew));
+    let x = to_i32(cell.x).cast_unsigned();
+    let y = to_i32(cell.y).cast_unsigned();
+    let z = to_i32(cell.z).cast_unsigned();
+    // The axes in descending order of d are those that the corners are reached by.
+    let x_over_y = !less(d.x, d.y);
+    let y_over_z = !less(d.y, d.z);
+    let x_over_z = !less(d.x, d.z);
+    let second = [
+        x_over_y && x_over_z,
+        !x_over_y && y_over_z,
+        !x_over_z && !y_over_z,
+    ];
+    let third = [
+        x_over_y || x_over_z,
+        !x_over_y || y_over_z,
+        !x_over_z || !y_over_z,
+    ];
+    let corner = |steps: [bool; 3]| {
+        let [i, j, k] = steps.map(u32::from);
+        corner_gradient(x.wrapping_add(i), y.wrapping_add(j), z.wrapping_add(k), key)
+    };
+    let to = |steps: [bool; 3]| Vec3::from(steps.map(|step| if step { 1.0 } else { 0.0 }));
+    let near_corners = from_corner(corner([false; 3]), d)
+        + from_corner(corner(second), (d - to(second)) + Vec3::splat(UNSKEW));
+    let far_corners = from_corner(corner(third), (d - to(third)) + Vec3::splat(SKEW))
+        + from_corner(corner([true; 3]), d - Vec3::splat(0.5));
+    let sum = near_corners + far_corners;
+    (sum.truncate() * (GRADIENT_GAIN * CELLS_PER_UNIT)).extend(sum.w * GRADIENT_GAIN)
+}

@@ -1,0 +1,69 @@
+//! One frame as a line drawing: an SVG with a line for each particle, as a vector display would
+//! draw it (Reeves 1983, 4.2).
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use super::OutputError;
+use super::folder::write_whole;
+use crate::simulation::Line;
+
+/// What a line drawing needs besides its lines.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drawing<'a> {
+    /// Pixels across.
+    pub width: u32,
+    /// Pixels down.
+    pub height: u32,
+    /// Colour behind everything, each 0 ..= 1.
+    pub background: [f32; 3],
+    /// Factor of the lines' light.
+    pub exposure: f32,
+    /// One a particle.
+    pub lines: &'a [Line],
+}
+
+/// Writes the drawing, whole or not at all; folders that are missing above it are created.
+///
+/// Lines stand in the order of `lines`, in pixels with two decimals; what is outside the picture is
+/// written too, and the viewer clips it.
+///
+/// # Errors
+/// The user's fault: a path that cannot be a file. The machine's: it cannot be written.
+pub fn write_svg(path: &Path, drawing: &Drawing) -> Result<(), OutputError> {
+    write_whole(path, svg_of(drawing).as_bytes())
+}
+
+fn svg_of(drawing: &Drawing) -> String {
+    let Drawing {
+        width,
+        height,
+        background,
+        exposure,
+        lines,
+    } = *drawing;
+    let mut svg = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+         viewBox=\"0 0 {width} {height}\">\n\
+         <rect width=\"100%\" height=\"100%\" fill=\"{}\"/>\n\
+         <g stroke-width=\"1\" stroke-linecap=\"round\">\n",
+        hex(background)
+    );
+    for line in lines {
+        let ([x1, y1], [x2, y2]) = (line.from_px, line.to_px);
+        let color = hex(line.color.map(|channel| channel * exposure));
+        // Writing to a text cannot fail.
+        let _ = writeln!(
+            svg,
+            "<line x1=\"{x1:.2}\" y1=\"{y1:.2}\" x2=\"{x2:.2}\" y2=\"{y2:.2}\" stroke=\"{color}\"/>"
+        );
+    }
+    svg.push_str("</g>\n</svg>\n");
+    svg
+}
+
+/// A colour as `#rrggbb`; what is brighter than white is white.
+fn hex(color: [f32; 3]) -> String {
+    let [r, g, b] = color.map(|channel| (channel.clamp(0.0, 1.0) * 255.0 + 0.5) as u8);
+    format!("#{r:02x}{g:02x}{b:02x}")
+}

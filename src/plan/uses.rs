@@ -1,0 +1,94 @@
+//! Which features a plan has: kernels leave out what it has none of.
+
+use super::FrameInputs;
+use crate::layout::{PARTICLE_RECTANGLE, PARTICLE_STREAK, SystemFrame, SystemRow, Wind};
+
+macro_rules! uses {
+    ($($(#[$doc:meta])* $field:ident $switch:literal;)*) => {
+        /// Which features some system has at some time; kernels leave out what none has.
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+        pub struct Uses {
+            $($(#[$doc])* pub $field: bool,)*
+        }
+
+        impl Uses {
+            /// Every switch of the kernels by its name, and whether it is on.
+            pub fn switches(self) -> Vec<(&'static str, bool)> {
+                vec![$(($switch, self.$field)),*]
+            }
+
+            /// What either has.
+            #[must_use]
+            pub(super) fn and(self, other: Self) -> Self {
+                Self { $($field: self.$field | other.$field),* }
+            }
+        }
+    };
+}
+
+uses! {
+    /// Extinction by intensity.
+    thresholds "THRESHOLDS";
+    /// Extinction by place.
+    bounds "BOUNDS";
+    /// Rates that differ from particle to particle.
+    rate_spreads "RATE_SPREADS";
+    /// Drag, and with it wind.
+    drags "DRAGS";
+    /// Wind that is made of noise.
+    noises "NOISES";
+    /// Particles drawn as streaks.
+    streaks "STREAKS";
+    /// Particles drawn as rectangles.
+    rectangles "RECTANGLES";
+    /// Light that falls with the distance.
+    light_distances "LIGHT_DISTANCES";
+    /// A picture of layers.
+    layers "LAYERS";
+}
+
+impl Uses {
+    /// What the inputs of one frame use.
+    pub(super) fn of(inputs: &FrameInputs) -> Self {
+        let rows = inputs.rows.iter().map(Self::of_row);
+        let systems = inputs.systems.iter().map(Self::of_system);
+        let winds = inputs.winds.iter().map(Self::of_wind);
+        let own = Self {
+            layers: !inputs.layer_planes.is_empty(),
+            ..Self::default()
+        };
+        rows.chain(systems).chain(winds).fold(own, Self::and)
+    }
+
+    fn of_row(row: &SystemRow) -> Self {
+        let varied = row.color_rate_var.iter().any(|rate| *rate != 0.0);
+        Self {
+            thresholds: row.size_and_threshold[3] >= 0.0,
+            rate_spreads: varied || row.ejection_and_light[3] != 0.0,
+            streaks: row.kinds[1] == PARTICLE_STREAK,
+            rectangles: row.kinds[1] == PARTICLE_RECTANGLE,
+            light_distances: row.ejection_and_light[2] > 0.0,
+            ..Self::default()
+        }
+    }
+
+    fn of_system(system: &SystemFrame) -> Self {
+        Self {
+            bounds: system.bound_count > 0,
+            drags: system.acceleration[3] != 0.0,
+            ..Self::default()
+        }
+    }
+
+    fn of_wind(wind: &Wind) -> Self {
+        Self {
+            noises: wind.kinds[1] > 0,
+            ..Self::default()
+        }
+    }
+
+    /// Whether inputs of the caller's making use no more than this.
+    pub fn cover(self, inputs: &FrameInputs) -> bool {
+        self.and(Self::of(inputs)) == self
+    }
+}

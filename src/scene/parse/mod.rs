@@ -1,0 +1,113 @@
+//! TOML → [`Scene`]: each key of the [`schema`](super::schema) goes to its place in the types.
+
+mod system;
+mod wind;
+
+use std::rc::Rc;
+
+use self::system::systems;
+use self::wind::wind;
+use super::check;
+use super::read::{Reader, Spot};
+use super::schema::{CAMERA, IMAGE, LAYER, SCENE};
+use super::set;
+use super::tracks;
+use super::tree::{self, Node, Source};
+use super::values::{Quantity, choice, list, text, whole, whole32};
+use super::{Camera, Image, Layer, Projection, Scene, SceneError, ShutterWeighting};
+
+/// Reads a scene from TOML.
+///
+/// `file` is what errors call the text; `name` becomes [`Scene::name`] and, if the text has no
+/// title, [`Scene::title`].
+///
+/// # Errors
+/// If the text is not TOML, or a key is unknown, missing, of the wrong kind, out of range or at
+/// odds with another. The first such thing is reported.
+pub fn parse(text: &str, file: &str, name: &str) -> Result<Scene, SceneError> {
+    parse_with(text, file, name, &[])
+}
+
+/// [`parse`], with values changed on the way: see [`load_with`](super::load_with).
+pub(super) fn parse_with(
+    text: &str,
+    file: &str,
+    name: &str,
+    sets: &[String],
+) -> Result<Scene, SceneError> {
+    let source = Rc::new(Source {
+        file: file.to_owned(),
+        text: text.to_owned(),
+        numbered: true,
+    });
+    let mut root = tree::document(&source)?;
+    // Where something is missing from the whole file, its first character stands for it.
+    root.at.span = 0..0;
+    for set in sets {
+        set::apply(&mut root, set)?;
+    }
+    scene(&root, name)
+}
+
+fn scene(root: &Node, name: &str) -> Result<Scene, SceneError> {
+    let table = Reader::new(String::new(), SCENE, root)?;
+    let mut scene = Scene {
+        name: name.to_owned(),
+        title: table.may("title", text)?.unwrap_or_else(|| name.to_owned()),
+        description: table.must("description", text)?,
+        frames: table.must("frames", whole32)?,
+        frame_rate: table.must("frame_rate", whole32)?,
+        seed: table.must("seed", whole)?,
+        capacity: table.may("capacity", whole32)?,
+        image: table.must("image", image)?,
+        camera: table.must("camera", camera)?,
+        systems: table.must("system", systems)?,
+        winds: table.must("wind", |spot| list(spot, wind))?,
+        layers: table.must("layer", |spot| list(spot, layer))?,
+        tracks: Vec::new(),
+    };
+    check::unique_names(root)?;
+    tracks::collect(root, &mut scene)?;
+    check::tracks(&scene, root)?;
+    Ok(scene)
+}
+
+fn image(spot: &Spot<'_>) -> Result<Image, SceneError> {
+    let table = Reader::new(spot.path.clone(), IMAGE, spot.node)?;
+    let image = Image {
+        width: table.must("width", whole32)?,
+        height: table.must("height", whole32)?,
+        background: table.must("background", Quantity::read)?,
+        shutter: table.must("shutter", Quantity::read)?,
+        shutter_weighting: [ShutterWeighting::Camera, ShutterWeighting::Eye]
+            [table.must("shutter_weighting", choice)?],
+        exposure: table.must("exposure", Quantity::read)?,
+    };
+    check::image(&image, &table)?;
+    Ok(image)
+}
+
+fn camera(spot: &Spot<'_>) -> Result<Camera, SceneError> {
+    let table = Reader::new(spot.path.clone(), CAMERA, spot.node)?;
+    let camera = Camera {
+        position: table.must("position", Quantity::read)?,
+        target: table.must("target", Quantity::read)?,
+        up: table.must("up", Quantity::read)?,
+        projection: [Projection::Perspective, Projection::Orthographic]
+            [table.must("projection", choice)?],
+        view_height: table.must("view_height", Quantity::read)?,
+        vertical_fov_degrees: table.must("vertical_fov_degrees", Quantity::read)?,
+        near: table.must("near", Quantity::read)?,
+    };
+    check::camera(&camera, &table)?;
+    Ok(camera)
+}
+
+fn layer(_: usize, spot: &Spot<'_>) -> Result<Layer, SceneError> {
+    let table = Reader::new(spot.path.clone(), LAYER, spot.node)?;
+    Ok(Layer {
+        name: table.must("name", text)?,
+        point: table.must("point", Quantity::read)?,
+        normal: table.must("normal", check::direction)?,
+    })
+}

@@ -1,0 +1,68 @@
+//! The picture and its viewer.
+
+/// The picture that frames are drawn into.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Image {
+    /// Pixels across, 1 ..= 4,096. Default 1280.
+    pub width: u32,
+    /// Pixels down, 1 ..= 4,096; `width * height` is at most 8,847,360. Default 720.
+    pub height: u32,
+    /// Display-referred colour behind everything, each 0 ..= 1. Default black.
+    pub background: [f32; 3],
+    /// Fraction of a frame that the shutter is open, 0 ..= 1. Default 0.5 (Reeves 1983, section 3).
+    pub shutter: f32,
+    /// How light counts while the shutter is open. Default even.
+    pub shutter_weighting: ShutterWeighting,
+    /// Factor of the light of all particles, 0 ..= 1,000. Default 1.
+    pub exposure: f32,
+}
+
+/// How light counts while the shutter is open (Reeves 1983, section 3, further work).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ShutterWeighting {
+    /// All of it alike, as in a camera.
+    Camera,
+    /// The later, the more, as in an eye that forgets.
+    Eye,
+}
+
+/// What is behind this plane and behind no plane before it is a layer of the picture; what is
+/// behind none is the last (Reeves 1983, 2.5).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layer {
+    /// Unique name, a part of file names, as that of a [`System`](super::System).
+    pub name: String,
+    /// A point of the plane, world space.
+    pub point: [f32; 3],
+    /// Where the plane faces, world space, not zero: the layer is on the other side.
+    pub normal: [f32; 3],
+}
+
+/// How the camera sees depth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Projection {
+    /// What is farther is smaller.
+    Perspective,
+    /// Sizes do not depend on distance.
+    Orthographic,
+}
+
+/// A camera.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// Where it stands, world space, each -1,000,000 ..= 1,000,000, as the two below.
+    pub position: [f32; 3],
+    /// What it looks at, world space; differs from `position`.
+    pub target: [f32; 3],
+    /// Which way is up in the picture, world space; not parallel to the view. Default +y.
+    pub up: [f32; 3],
+    /// Perspective, the default, or orthographic.
+    pub projection: Projection,
+    /// Whole vertical angle of view, 1 ..= 170 degrees, in perspective. Default 45.
+    pub vertical_fov_degrees: f32,
+    /// World units from the picture's bottom to its top, 0.000001 ..= 1,000,000, if orthographic.
+    /// Default 4.
+    pub view_height: f32,
+    /// Nothing nearer than this along the view axis is drawn, 0.000001 ..= 1,000,000. Default 0.1.
+    pub near: f32,
+}

@@ -1,0 +1,129 @@
+//! A particle system (Reeves 1983, section 2).
+
+use super::{
+    BirthMoment, BirthRounding, Births, Burst, Changing, EjectionAxis, EjectionSpread, Extinction,
+    GenerationShape, Spread,
+};
+
+/// One particle system (Reeves 1983, section 2).
+#[derive(Clone, Debug, PartialEq)]
+pub struct System {
+    /// Unique name; its hash is part of every particle's identity. A letter or `_`, then letters,
+    /// digits, `-` and `_`, at most 64 characters, so that it can stand in paths and file names.
+    pub name: String,
+    /// Origin, world space (2.2), each -1,000,000 ..= 1,000,000. Default 0.
+    pub position: [f32; 3],
+    /// Two angles of rotation: first about x, then about y (2.2). Local +z is the system's "up".
+    /// Each -36,000 ..= 36,000. Default 0.
+    pub rotation_degrees: [f32; 2],
+    /// f0, the first frame with births, -65,000 ..= 1,000,000: a system that begins before frame 0
+    /// is under way when the scene begins. Default 0.
+    pub first_frame: i32,
+    /// The frame at which births end (exclusive); `None` means never. Greater than
+    /// `first_frame`, at most 1,000,000.
+    pub end_frame: Option<i32>,
+    /// Frames at which the system begins anew, at most 256, ascending: all frames of its births
+    /// then count from the last one. Empty: it begins once, and they count from frame 0.
+    pub trigger_frames: Vec<i32>,
+    /// Births all at once, besides the others, at most 64.
+    pub bursts: Vec<Burst>,
+    /// When in its frame a particle is born. Default at the frame's start (2.3).
+    pub birth_moment: BirthMoment,
+    /// Whose motion the living follow. Default the system's.
+    pub particle_space: ParticleSpace,
+    /// How many are born (2.1).
+    pub births: Births,
+    /// How a fractional number of births becomes a whole one (RA1).
+    pub birth_rounding: BirthRounding,
+    /// Where particles are born, local space (2.2).
+    pub generation_shape: GenerationShape,
+    /// The axis of the cone that particles leave within. Default outward for sphere and cone, along
+    /// the curve for an attractor, else up.
+    pub ejection_axis: EjectionAxis,
+    /// Half-angle of that cone, 0 ..= 180 degrees. Default 0.
+    pub ejection_angle_degrees: f32,
+    /// What is uniform in the cone (RA5). Default solid angle.
+    pub ejection_spread: EjectionSpread,
+    /// Initial speed, world units a frame, mean -10,000 ..= 10,000 (2.2). Negative speeds go the
+    /// other way.
+    pub speed: Spread<f32>,
+    /// Lifetime in frames, rounded to a whole number, at least 1; mean + var at most 65,000 (2.4).
+    /// `None`: age kills nobody, and a run has at most 65,000 frames.
+    pub lifetime: Option<Spread<f32>>,
+    /// Colour: light a fully covered pixel receives, each mean >= 0, at most 1,000 (2.2).
+    pub color: Changing<[f32; 3]>,
+    /// 0 opaque ..= 1 invisible; light is scaled by 1 - transparency (2.2, RA11). Default 0.
+    pub transparency: Changing<f32>,
+    /// Radius (half-width for rectangles), world units, mean 0.000001 ..= 10,000 (2.2). The var
+    /// may be larger than the mean.
+    pub size: Changing<f32>,
+    /// Added to the velocity each frame, world space, units a frame squared, each
+    /// -10,000 ..= 10,000 (2.3). Default 0.
+    pub acceleration: [f32; 3],
+    /// The part of its velocity against the wind that a particle loses each frame, 0 ..= 1.
+    /// Default 0: it feels neither air nor wind.
+    pub drag: f32,
+    /// How position and velocity go on together (RA6). Default Euler.
+    pub integration: Integration,
+    /// What a particle looks like (2.2).
+    pub particle_shape: ParticleShape,
+    /// How light spreads along a streak (RA8). Default conserved.
+    pub streak_light: StreakLight,
+    /// A particle whose intensity falls below this, 0 ..= 1,000, is killed; `None` means never (2.4, RA7).
+    pub intensity_threshold: Option<f32>,
+    /// What intensity is (RA7). Default the brightest channel.
+    pub intensity: Intensity,
+    /// Where particles may not be, at most 16 (2.4).
+    pub extinctions: Vec<Extinction>,
+    /// Distance at which a particle's light is as its colour says, falling with the square of the
+    /// distance, 0.000001 ..= 1,000,000; `None`: light does not depend on it (2.5, further work).
+    pub light_distance: Option<f32>,
+}
+
+/// Whose motion the living follow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ParticleSpace {
+    /// The system's: they move and turn with it.
+    System,
+    /// The world's: they stay behind.
+    World,
+}
+
+/// How position and velocity go on together (RA6).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Integration {
+    /// position += velocity, then velocity += acceleration: the order of the text.
+    Euler,
+    /// The same with velocities halfway through each frame: particles are on the parabola of their
+    /// acceleration, p0 + n v0 + a n^2 / 2.
+    Parabola,
+}
+
+/// What a particle looks like on the screen (Reeves 1983, 2.2).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ParticleShape {
+    /// An antialiased disc.
+    Sphere,
+    /// An antialiased square that faces the viewer.
+    Rectangle,
+    /// A disc drawn along the motion while the shutter is open.
+    Streak,
+}
+
+/// How a streak's light is spread (RA8).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StreakLight {
+    /// The total is that of the particle at rest: long streaks are dimmer.
+    Conserved,
+    /// Every covered pixel gets the full colour.
+    Constant,
+}
+
+/// What a particle's intensity is (RA7).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Intensity {
+    /// (1 - transparency) times the brightest channel.
+    Brightest,
+    /// (1 - transparency) times the luminance.
+    Luminance,
+}

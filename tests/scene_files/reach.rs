@@ -1,0 +1,317 @@
+//! What right scenes are read as: every key in its place, and what holds where it is not written.
+
+use motes::scene::{
+    BirthMoment, BirthRounding, BirthUnit, Births, Burst, Camera, Changing, EjectionAxis,
+    EjectionSpread, Extinction, GenerationShape, Image, Integration, Intensity, Layer,
+    ParticleShape, ParticleSpace, Projection, Scene, ShutterWeighting, Side, Spread, StreakLight,
+    System, Turbulence, Wind,
+};
+
+use crate::text::{FULL, MINIMAL, accepted};
+
+/// The only system of [`MINIMAL`], with every documented default.
+fn minimal_system() -> System {
+    System {
+        name: "only".into(),
+        position: [0.0; 3],
+        rotation_degrees: [0.0; 2],
+        first_frame: 0,
+        end_frame: None,
+        trigger_frames: vec![],
+        bursts: vec![],
+        birth_moment: BirthMoment::FrameStart,
+        particle_space: ParticleSpace::System,
+        births: Births {
+            per: BirthUnit::Frame,
+            initial_mean_parts: 100.0,
+            delta_mean_parts: 0.0,
+            quadratic_mean_parts: 0.0,
+            cubic_mean_parts: 0.0,
+            var_parts: 0.0,
+            delta_var_parts: 0.0,
+            quadratic_var_parts: 0.0,
+            cubic_var_parts: 0.0,
+            mean_parts_wander: 0.0,
+            mean_parts_wander_frames: 24.0,
+        },
+        birth_rounding: BirthRounding::Stochastic,
+        generation_shape: GenerationShape::Sphere { radius: 1.0 },
+        ejection_axis: EjectionAxis::Outward,
+        ejection_angle_degrees: 0.0,
+        ejection_spread: EjectionSpread::SolidAngle,
+        // A mean alone has no spread and no rate.
+        speed: spread(0.1, 0.0),
+        lifetime: Some(spread(60.0, 0.0)),
+        color: changing(spread([0.4, 0.1, 0.02], [0.0; 3]), [0.0; 3], [0.0; 3]),
+        transparency: changing(spread(0.0, 0.0), 0.0, 0.0),
+        size: changing(spread(0.02, 0.0), 0.0, 0.0),
+        acceleration: [0.0; 3],
+        drag: 0.0,
+        integration: Integration::Euler,
+        particle_shape: ParticleShape::Sphere,
+        streak_light: StreakLight::Conserved,
+        intensity_threshold: None,
+        intensity: Intensity::Brightest,
+        extinctions: vec![],
+        light_distance: None,
+    }
+}
+
+fn spread<T>(mean: T, var: T) -> Spread<T> {
+    Spread { mean, var }
+}
+
+fn changing<T>(initial: Spread<T>, rate: T, rate_var: T) -> Changing<T> {
+    Changing {
+        initial,
+        rate,
+        rate_var,
+    }
+}
+
+#[test]
+fn what_is_not_written_has_the_documented_default() {
+    let wanted = Scene {
+        name: "some".into(),
+        title: "some".into(),
+        description: String::new(),
+        frames: 120,
+        frame_rate: 24,
+        seed: 1,
+        capacity: None,
+        image: Image {
+            width: 1280,
+            height: 720,
+            background: [0.0; 3],
+            shutter: 0.5,
+            shutter_weighting: ShutterWeighting::Camera,
+            exposure: 1.0,
+        },
+        camera: Camera {
+            position: [0.0, 1.0, 5.0],
+            target: [0.0; 3],
+            up: [0.0, 1.0, 0.0],
+            projection: Projection::Perspective,
+            view_height: 4.0,
+            vertical_fov_degrees: 45.0,
+            near: 0.1,
+        },
+        systems: vec![minimal_system()],
+        winds: vec![],
+        layers: vec![],
+        tracks: vec![],
+    };
+    assert_eq!(accepted(MINIMAL), wanted);
+}
+
+/// The first system of [`FULL`].
+fn first_system() -> System {
+    System {
+        name: "first".into(),
+        position: [1.0, 2.0, 3.0],
+        rotation_degrees: [-90.0, 45.5],
+        first_frame: 3,
+        end_frame: Some(9),
+        trigger_frames: vec![-5, 0, 40],
+        bursts: vec![
+            Burst {
+                frame: -3,
+                parts: spread(500.0, 50.0),
+            },
+            Burst {
+                frame: 4,
+                parts: spread(7.0, 0.0),
+            },
+        ],
+        birth_moment: BirthMoment::WithinFrame,
+        particle_space: ParticleSpace::World,
+        births: Births {
+            per: BirthUnit::Frame,
+            initial_mean_parts: 100.5,
+            delta_mean_parts: -2.0,
+            quadratic_mean_parts: 0.5,
+            cubic_mean_parts: -0.25,
+            var_parts: 20.0,
+            delta_var_parts: 1.5,
+            quadratic_var_parts: -0.75,
+            cubic_var_parts: 0.125,
+            mean_parts_wander: 0.3,
+            mean_parts_wander_frames: 12.0,
+        },
+        birth_rounding: BirthRounding::Nearest,
+        generation_shape: GenerationShape::Rectangle {
+            length: 2.0,
+            width: 0.5,
+        },
+        ejection_axis: EjectionAxis::Around,
+        ejection_angle_degrees: 30.0,
+        ejection_spread: EjectionSpread::Angle,
+        speed: spread(-0.1, 0.02),
+        lifetime: Some(spread(60.0, 10.0)),
+        color: changing(
+            spread([0.4, 0.1, 0.02], [0.1, 0.0, 0.0]),
+            [0.0, -0.01, 0.01],
+            [0.0, 0.0, 0.005],
+        ),
+        transparency: changing(spread(0.25, 0.125), 0.5, 0.0625),
+        size: changing(spread(0.02, 0.01), -0.001, 0.0005),
+        acceleration: [0.0, -0.01, 0.0],
+        drag: 0.05,
+        integration: Integration::Parabola,
+        particle_shape: ParticleShape::Streak,
+        streak_light: StreakLight::Constant,
+        intensity_threshold: Some(0.01),
+        intensity: Intensity::Luminance,
+        extinctions: vec![
+            Extinction::Distance {
+                direction: [0.0, 3.0, 4.0],
+                distance: -2.0,
+            },
+            Extinction::Plane {
+                point: [1.0, 0.0, 0.0],
+                normal: [0.0, 2.0, 0.0],
+            },
+            Extinction::Sphere {
+                center: [0.0, 1.0, 2.0],
+                radius: 0.5,
+                kills: Side::Inside,
+            },
+            Extinction::Box {
+                min: [-1.0, -2.0, -3.0],
+                max: [1.0, 2.0, -0.5],
+                kills: Side::Outside,
+            },
+        ],
+        light_distance: Some(7.5),
+    }
+}
+
+#[test]
+fn every_key_of_a_system_reaches_its_place() {
+    let scene = accepted(FULL);
+    assert_eq!(scene.systems.len(), 2);
+    assert_eq!(scene.systems[0], first_system());
+    let second = System {
+        name: "second".into(),
+        births: Births {
+            per: BirthUnit::ScreenArea,
+            initial_mean_parts: 0.5,
+            delta_mean_parts: 0.1,
+            quadratic_mean_parts: 0.01,
+            cubic_mean_parts: -0.001,
+            var_parts: 0.25,
+            delta_var_parts: 0.02,
+            quadratic_var_parts: -0.002,
+            cubic_var_parts: 0.0002,
+            ..minimal_system().births
+        },
+        generation_shape: GenerationShape::Circle { radius: 3.0 },
+        ejection_axis: EjectionAxis::Up,
+        speed: spread(1.0, 0.0),
+        lifetime: Some(spread(2.0, 0.0)),
+        color: changing(spread([1.0; 3], [0.0; 3]), [0.0; 3], [0.0; 3]),
+        size: changing(spread(1.0, 0.0), 0.0, 0.0),
+        ..minimal_system()
+    };
+    assert_eq!(scene.systems[1], second);
+}
+
+#[test]
+fn every_other_key_reaches_its_place() {
+    let scene = accepted(FULL);
+    let noise = Turbulence {
+        strength: 0.15,
+        scale: [1.0, 2.0, 0.0],
+        drift: [0.0, 0.5, 0.0],
+        octaves: 3,
+        spectrum_exponent: 2.5,
+        absolute: true,
+    };
+    let curl = Turbulence {
+        strength: 0.16,
+        scale: [3.0; 3],
+        drift: [0.25, 0.0, 0.0],
+        octaves: 2,
+        spectrum_exponent: 3.0,
+        absolute: false,
+    };
+    let wanted = Scene {
+        name: "some".into(),
+        title: "All of it".into(),
+        description: "Two lines:\nof text.".into(),
+        frames: 10,
+        frame_rate: 30,
+        seed: 0xfeed,
+        capacity: Some(200_000),
+        image: Image {
+            width: 640,
+            height: 360,
+            background: [0.0, 0.5, 1.0],
+            shutter: 0.48,
+            shutter_weighting: ShutterWeighting::Eye,
+            exposure: 1.5,
+        },
+        camera: Camera {
+            position: [0.0, 1.0, 5.0],
+            target: [0.0; 3],
+            up: [0.5, 1.0, 0.0],
+            projection: Projection::Orthographic,
+            view_height: 3.5,
+            vertical_fov_degrees: 60.0,
+            near: 0.01,
+        },
+        systems: scene.systems.clone(),
+        winds: vec![
+            Wind::Uniform {
+                velocity: [0.01, 0.02, 0.03],
+            },
+            Wind::Buoyancy {
+                gravity: [0.0, -2.0, 0.0],
+                strength: 0.04,
+            },
+            Wind::Gusts {
+                velocity: [0.05, 0.0, 0.0],
+                amplitude: 0.75,
+                frames: 20.0,
+            },
+            Wind::Vortex {
+                position: [1.0, 2.0, 3.0],
+                axis: [0.0, 0.0, 2.0],
+                speed: -0.06,
+                radius: 0.7,
+            },
+            Wind::Source {
+                position: [4.0, 5.0, 6.0],
+                strength: 0.08,
+                radius: 0.9,
+            },
+            // A sink is a source that takes.
+            Wind::Source {
+                position: [7.0, 8.0, 9.0],
+                strength: -0.11,
+                radius: 1.2,
+            },
+            Wind::Attractor {
+                position: [-1.0, -2.0, -3.0],
+                speed: 0.13,
+                radius: 1.4,
+            },
+            Wind::Noise(noise),
+            Wind::Curl(curl),
+        ],
+        layers: vec![
+            Layer {
+                name: "smoke".into(),
+                point: [0.0, 0.0, -2.0],
+                normal: [0.0, 0.0, 3.0],
+            },
+            Layer {
+                name: "far".into(),
+                point: [0.0, 0.0, -4.0],
+                normal: [0.0, 1.0, 1.0],
+            },
+        ],
+        tracks: vec![],
+    };
+    assert_eq!(scene, wanted);
+}
