@@ -23,6 +23,10 @@ vertical_fov_degrees = { keys = [[0, 45], [11, 35]] }
 name = "back"
 point = [0,0,0]
 normal = [0,0,1]
+[[layer]]
+name = "left"
+point = [-0.3,0,0]
+normal = [1,0.1,0.2]
 [[wind]]
 kind = "uniform"
 velocity = [0.01,0,0]
@@ -144,6 +148,17 @@ kind = "plane"
 point = [0,2.9,0]
 normal = [0.1,1,0]
 [[system]]
+name = "point"
+position = [0.4,0.9,1]
+initial_mean_parts = 9
+generation_shape = { kind = "circle", radius = 0 }
+ejection_axis = "outward"
+ejection_angle_degrees = 25
+speed = 0.04
+lifetime = 8
+color = [0.3,0.1,0.4]
+size = 0.03
+[[system]]
 name = "lorenz"
 position = [2.5,1.5,-1]
 rotation_degrees = { keys = [[0,[0,0]],[11,[0,90]]] }
@@ -179,7 +194,7 @@ pub(crate) fn windy_frames(flat: bool, count: u32) -> (Plan, Vec<FrameInputs>) {
     let plan = Plan::new(&scene, scene.frames).expect("the scene can be planned");
     let mut frames = frames_of(&plan, count);
     for (at, inputs) in frames.iter_mut().enumerate() {
-        inputs.frame.layer = [0, 1, 0, 2][at % 4];
+        inputs.frame.layer = [0, 1, 2, 3][at % 4];
     }
     (plan, frames)
 }

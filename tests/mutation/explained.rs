@@ -1,10 +1,12 @@
 //! Changes that make no difference that a comparison could see, and why.
 
-/// Kernel (`*`: any), description (a trailing `*`: what begins so), reason.
+/// Kernel (`*`: any), description (a trailing `*`: what begins so; a leading one: what ends so),
+/// reason.
 type Explanation = (&'static str, &'static str, &'static str);
 
 #[rustfmt::skip] // one explanation a line
 static EXPLAINED: &[Explanation] = &[
+    ("*", "*: ? = Bool(false) -> omitted", "one branch of a short circuit: variables begin as false"),
     ("systems/births", "const WORKGROUP_SIZE: 256u -> *", "named for the attribute alone, which was read before the change"),
     ("scan/count_bits", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: 17 billion particles"),
     ("scan/sum_runs", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: 10^12 particles"),
@@ -36,8 +38,14 @@ static EXPLAINED: &[Explanation] = &[
     ("lib/footprint", "footprint_of: Min(across, Uint(_.minor_size)) -> not Min", "decides only who draws: one invocation or many, the same light"),
     ("lib/footprint", "gain_of: (major < last) -> LessEqual", "one row more, beyond the reach: its weights are 0"),
     ("lib/footprint", "is_visible: 0.0f -> -1.0f", "a pixel more of a margin of two, where nothing is covered"),
-    ("particles/emit", "const SHAPE_RECTANGLE: 2u -> *", "names what is left when it is neither of the others: nothing is compared with it"),
-    ("particles/emit", "on_sphere: 0.0f -> -1.0f", "1 - z z is never negative, and the root of what is negative is 0"),
+    ("lib/emission", "on_sphere: 0.0f -> -1.0f", "1 - z z is never negative, and the root of what is negative is 0"),
+    ("lib/emission", "axis_of: axis = up -> omitted", "an axis of zeros becomes up in the end"),
+    ("lib/sprite", "sprite_of: Bool(false) -> Bool(true)", "of a feature that is off, and kernels that leave out nothing have them all"),
+    ("lib/sprite", "sprite_of: features.rectangles -> member spread_rates", "kernels that leave out nothing have all features"),
+    ("lib/sprite", "sprite_of: features.streaks -> member rectangles", "kernels that leave out nothing have all features"),
+    ("lib/sprite", "sprite_of: features.spread_rates -> member light_distances", "kernels that leave out nothing have all features"),
+    ("lib/sprite", "sprite_of: features.light_distances -> member streaks", "kernels that leave out nothing have all features"),
+    ("particles/advance", "advance: (at >= frame.page_len) -> Greater", "the first particle of the next page, whose own dispatch writes it again"),
     ("particles/emit", "slot_of_birth: 1u -> 0u in ((high - low) > 1u)", "goes on when the slot is found, without changing it, until the bound on loops"),
     ("particles/emit", "slot_of_birth: ((high - low) > 1u) -> GreaterEqual", "goes on when the slot is found, without changing it, until the bound on loops"),
     ("particles/emit", "slot_of_birth: (high - low) -> Add", "goes on when the slot is found, without changing it, until the bound on loops"),
@@ -46,25 +54,19 @@ static EXPLAINED: &[Explanation] = &[
     ("particles/cull", "cull: (of_intensity > 0u) -> GreaterEqual", "adding none changes nothing"),
     ("particles/cull", "cull: (of_bounds > 0u) -> GreaterEqual", "adding none changes nothing"),
     ("particles/cull", "cull: Bool(false) -> Bool(true)", "in a branch that the switch has closed"),
-    ("particles/cull", "cull: ? = Bool(false) -> omitted", "in a branch that the switch has closed"),
     ("particles/cull", "cull: (at - first) -> Add", "first is a multiple of 32, and shifts are counted modulo 32"),
     ("particles/cull", "fate_of: Bool(false) -> Bool(true)", "in a branch that the switch has closed"),
-    ("particles/cull", "fate_of: ? = Bool(false) -> omitted", "in a branch that the switch has closed"),
     ("particles/cull", "fate_of: ? = LogicalNot(less()) -> omitted", "no intensity is below a negative threshold either"),
     ("*", "row_at: ? = (_.row_mask == 0u) -> omitted", "only the short cut of a lone row is lost"),
     ("*", "row_at: frame.system_count -> member row_mask", "only the short cut of a lone row is lost"),
     ("*", "row_at: frame.row_mask -> member capacity", "only the short cut of a lone row is lost"),
     ("*", "row_at: 0u -> 4294967295u in (frame.row_mask == 0u)", "only the short cut of a lone row is lost"),
-    ("*", "row_at: ? = Bool(false) -> omitted", "variables begin as false"),
-    ("*", "draw_row: ? = Bool(false) -> omitted", "variables begin as false"),
     ("*", "draw_row: Bool(false) -> Bool(true)", "in a branch that the switch has closed"),
     ("*", "draw_row: weight = ZeroValue -> omitted", "assigned on both branches that follow"),
     ("*", "draw_row: minor = Max(range.0, 0i) -> omitted", "begins at the picture's edge instead: before the reach, weights are 0"),
     ("*", "draw_row: 0.0f -> -1.0f", "a weight of 0 adds no light"),
     ("*", "add_channel: (before > (4294967295u - steps)) -> GreaterEqual", "differs only where a sum is full to its last step, one in 2^32"),
     ("*", "add_channel: 4294967295u -> 4294967294u in (4294967295u - steps)", "differs only where a sum is full to its last step, one in 2^32"),
-    ("draw/splat", "splat: ? = Bool(false) -> omitted", "variables begin as false"),
-    ("draw/splat", "draw_small_disc: ? = Bool(false) -> omitted", "variables begin as false"),
     ("draw/splat", "splat: Bool(false) -> Bool(true)", "in a branch that the switch has closed"),
     ("draw/splat", "splat: (shape.14 <= FEW_CELLS) -> *", "decides only who draws: one invocation or many, the same light"),
     ("draw/splat", "splat: if (shape.14 <= FEW_CELLS) -> if !", "decides only who draws: one invocation or many, the same light"),
@@ -74,13 +76,10 @@ static EXPLAINED: &[Explanation] = &[
     ("draw/splat", "splat: shape.0 -> member cells", "a small disc's kind and number of cells are both 0; other footprints of none draw nothing"),
     ("draw/splat", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: more than a page"),
     ("draw/splat_large", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: 32,768 large particles"),
-    ("draw/splat_large", "splat_large: ? = Bool(false) -> omitted", "variables begin as false"),
     ("draw/splat_large", "splat_large: Bool(false) -> Bool(true)", "in a branch that the switch has closed"),
     ("draw/resolve", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: more than the largest picture"),
     ("digest/digest", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: more than a page"),
     ("probe/noise", "corner_gradient: 8380416u -> 8380417u *", "keeps a bit that the shift has made 0"),
-    ("probe/noise", "noise: ? = Bool(false) -> omitted", "variables begin as false"),
-    ("probe/wind", "turbulence: ? = Bool(false) -> omitted", "variables begin as false"),
     ("probe/wind", "wind_of: 0u -> 1u in select(0u, wind.kinds.1, (kind == WIND_CURL))", "a second noise that only a curl uses"),
     ("probe/wind", "wind_of: 0u -> 4294967295u in select(0u, wind.kinds.1, (kind == WIND_CURL))", "a second noise that only a curl uses"),
     ("probe/area", "screen_area_px: 0.0f -> -1.0f", "of what is below 0 the root is 0; rows above the picture of a sphere above it are beyond its reach"),
@@ -90,9 +89,10 @@ fn fits(explanation: &Explanation, kernel: &str, description: &str) -> bool {
     let (of, what, _) = explanation;
     let is_kernel = *of == "*" || *of == kernel;
     is_kernel
-        && match what.strip_suffix('*') {
-            Some(start) => description.starts_with(start),
-            None => description == *what,
+        && match (what.strip_prefix('*'), what.strip_suffix('*')) {
+            (Some(end), _) => description.ends_with(end),
+            (None, Some(start)) => description.starts_with(start),
+            (None, None) => description == *what,
         }
 }
 
