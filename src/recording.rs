@@ -9,6 +9,9 @@ use std::fmt::Write;
 use crate::plan::{self, Turn};
 use crate::scene;
 
+/// The last frame that a scene can have.
+const MOST_FRAME: u32 = 1_000_000;
+
 /// One change: from `frame` on, `set` holds, as `--set` has it: `path.to.key=value`.
 ///
 /// Changes are equal that say the same, whatever lines they stand on.
@@ -111,6 +114,9 @@ impl Recording {
                 .split_once(char::is_whitespace)
                 .ok_or_else(|| wrong("no change"))?;
             let frame = frame.parse().map_err(|_| wrong("no frame number"))?;
+            if frame > MOST_FRAME {
+                return Err(wrong("a frame after 1,000,000"));
+            }
             if changes.last().is_some_and(|last| last.frame > frame) {
                 return Err(wrong("a frame before the last line's"));
             }

@@ -14,7 +14,7 @@ pub(super) fn locate(
     frame: u32,
     record: bool,
 ) -> Result<Option<(Place, Option<StageRecord>)>, BackendError> {
-    for before in plan.first_frame..0 {
+    for before in plan.restart_frame(0)..0 {
         let inputs = plan.inputs(before.cast_unsigned());
         got.step(&inputs)?;
         expected.step(&inputs)?;

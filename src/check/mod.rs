@@ -121,7 +121,7 @@ pub fn compare(
     let (mut a, mut b) = (expected()?, got()?);
     let mut sign = None;
     // What is before frame 0 is compared with it.
-    for frame in plan.first_frame..0 {
+    for frame in plan.restart_frame(0)..0 {
         let inputs = plan.inputs(frame.cast_unsigned());
         for side in [&mut b, &mut a] {
             side.step(&inputs)?;

@@ -11,7 +11,7 @@ pub mod light;
 pub mod particle;
 pub mod particles;
 pub mod projection;
-mod sprite;
+pub(crate) mod sprite;
 pub mod systems;
 pub mod wind;
 

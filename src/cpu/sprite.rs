@@ -6,7 +6,7 @@ use glam::Vec3;
 use crate::cpu::footprint::MOST_RADIUS_PX;
 use crate::cpu::particle::{appearance_of, identity_of};
 use crate::cpu::projection::{Projected, project, project_closing, world_of};
-use crate::exact::{less, min_exact, reciprocal};
+use crate::exact::{inverse_square_root, less, min_exact};
 use crate::layout::{PARTICLE_RECTANGLE, PARTICLE_STREAK, Particle, STREAK_CONSTANT, SystemRow};
 use crate::plan::FrameInputs;
 
@@ -40,7 +40,8 @@ pub(crate) fn sprite_of(inputs: &FrameInputs, row: &SystemRow, particle: &Partic
     let mut light = 1.0 - look.transparency;
     let unit_distance = row.ejection_and_light[2];
     if less(0.0, unit_distance) {
-        light *= unit_distance * unit_distance * reciprocal(start.distance_squared);
+        let share = unit_distance * inverse_square_root(start.distance_squared);
+        light *= share * share;
     }
     Sprite {
         world,

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use crate::exact::{cross3, dot3, inverse_square_root, less, reciprocal, shared_constants};
+use crate::exact::{cross3, dot3, inverse_square_root, less, shared_constants};
 use crate::layout::{WIND_ATTRACTOR, WIND_CURL, WIND_NOISE, WIND_SOURCE, WIND_VORTEX, Wind};
 use crate::noise::noise;
 
@@ -44,9 +44,8 @@ pub fn wind_of(wind: &Wind, p: Vec3) -> Vec3 {
     match kind {
         WIND_VORTEX => {
             let around = cross3(aim, away);
-            let swirl =
-                2.0 * radius * strength * reciprocal(dot3(around, around) + radius * radius);
-            around * swirl
+            let inverse_swirl = inverse_square_root(dot3(around, around) + radius * radius);
+            around * (2.0 * radius * strength * inverse_swirl * inverse_swirl)
         }
         WIND_SOURCE | WIND_ATTRACTOR => {
             let inverse_distance = inverse_square_root(dot3(away, away) + radius * radius);

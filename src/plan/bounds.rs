@@ -12,6 +12,10 @@ const MOST_PARTICLES: u64 = 1_000_000_000;
 /// Most (system, frame) pairs that are looked at to find a bound.
 const MOST_STEPS: u64 = 1 << 26;
 
+/// What a pair costs more where values change with the frame: the scene is made anew for each, and
+/// areas are found.
+pub(super) const KEYED_COST: usize = 16;
+
 /// Frames of a run in which some particle lives without limit, at most.
 const MOST_UNLIMITED_FRAMES: i64 = 65_000;
 
@@ -54,7 +58,8 @@ pub(super) fn lifetime_bound(
                             system.name
                         ),
                         help: format!(
-                            "a lifetime, or at most {MOST_UNLIMITED_FRAMES} frames in all"
+                            "a lifetime, or a scene (`frames`) and a run of at most \
+                             {MOST_UNLIMITED_FRAMES} frames"
                         ),
                     });
                 }
@@ -108,17 +113,22 @@ pub(super) fn capacity(
     Ok((most as u32).max(1))
 }
 
+/// The screen area of each system, where births are counted by it; else 1.
+pub(super) fn areas_of(now: &Scene) -> Vec<f32> {
+    let view = camera_frame(now, now);
+    let area = |system: &System| match system.births.per {
+        BirthUnit::Frame => 1.0,
+        BirthUnit::ScreenArea => screen_area_px(&view, bounding_sphere(system)),
+    };
+    now.systems.iter().map(area).collect()
+}
+
 /// The most births that all systems can ask for in a frame; `now` is the scene as it is then.
-pub(super) fn births_bound(now: &Scene, frame: i32) -> u64 {
-    let of_one = |system: &System| {
+pub(super) fn births_bound(now: &Scene, areas: &[f32], frame: i32) -> u64 {
+    let of_one = |(system, area): (&System, &f32)| {
         let due = births_at(system, system_key(now.seed, &system.name), frame);
         let sum = |(mean, var)| f64::from(mean) + f64::from(var);
-        let mut most = sum(due.births);
-        if most > 0.0 && system.births.per == BirthUnit::ScreenArea {
-            let view = camera_frame(now, now);
-            most *= f64::from(screen_area_px(&view, bounding_sphere(system)));
-        }
-        most += sum(due.bursts);
+        let most = sum(due.births).max(0.0) * f64::from(*area) + sum(due.bursts).max(0.0);
         // Births are below 2^24 a system and frame.
         if most <= 0.0 {
             0
@@ -126,5 +136,5 @@ pub(super) fn births_bound(now: &Scene, frame: i32) -> u64 {
             (most.ceil() as u64 + 1).min(1 << 24)
         }
     };
-    now.systems.iter().map(of_one).sum()
+    now.systems.iter().zip(areas).map(of_one).sum()
 }

@@ -29,8 +29,8 @@ pub struct FrameInputs {
 pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInputs {
     let time = f64::from(number);
     let now = scene.at(time);
-    let earlier = scene.at(time - 1.0);
-    let closing = scene.at(time + f64::from(now.image.shutter));
+    let earlier = scene.seen_from(time, time - 1.0);
+    let closing = scene.seen_from(time, time + f64::from(now.image.shutter));
     let mut bounds = Vec::new();
     let systems = now
         .systems

@@ -19,7 +19,7 @@ pub use inputs::FrameInputs;
 pub use stages::{STAGES, Stage, StageInfo};
 pub use uses::Uses;
 
-use crate::scene::{Owner, Scene};
+use crate::scene::{Scene, Track};
 
 /// Why a scene cannot become a plan: it is the scene's fault, and the message says what to change.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -108,18 +108,14 @@ impl Plan {
         let frame_end = frame_end.max(scene.frames);
         let lifetime_bound = bounds::lifetime_bound(&scenes, first_frame, frame_end)?;
         let mut variants = vec![(first_frame, scene.clone())];
-        variants.extend(
-            turns
-                .iter()
-                .map(|turn| (turn.frame as i32, turn.scene.clone())),
-        );
+        variants.extend(turns.iter().map(|turn| {
+            (
+                i32::try_from(turn.frame).unwrap_or(i32::MAX),
+                turn.scene.clone(),
+            )
+        }));
         variants.sort_by_key(|(from, _)| *from);
-        let changes_rows = |scene: &&Scene| {
-            let owners = scene.tracks.iter().map(|track| track.owner);
-            owners
-                .into_iter()
-                .any(|owner| matches!(owner, Owner::System(_)))
-        };
+        let changes_rows = |scene: &&Scene| scene.tracks.iter().any(Track::rules_newborns);
         let row_count = if turns.is_empty() && !scenes.iter().any(changes_rows) {
             1
         } else {
@@ -160,9 +156,23 @@ impl Plan {
     }
 
     fn bound(&self, frame_end: u32) -> Result<u32, PlanError> {
+        // What has no keys covers the same area in all frames: it is found once.
+        let still_areas: Vec<Option<Vec<f32>>> = self
+            .variants
+            .iter()
+            .map(|(_, scene)| scene.tracks.is_empty().then(|| bounds::areas_of(scene)))
+            .collect();
+        let cost = still_areas.iter().any(Option::is_none);
         bounds::capacity(
-            |frame| bounds::births_bound(&self.scene_at(frame).at(f64::from(frame)), frame),
-            self.system_count as usize,
+            |frame| {
+                let at = self.variant_at(frame);
+                let now = self.variants[at].1.at(f64::from(frame));
+                match &still_areas[at] {
+                    Some(areas) => bounds::births_bound(&now, areas, frame),
+                    None => bounds::births_bound(&now, &bounds::areas_of(&now), frame),
+                }
+            },
+            self.system_count as usize * if cost { bounds::KEYED_COST } else { 1 },
             self.lifetime_bound,
             self.first_frame,
             frame_end,
@@ -171,9 +181,12 @@ impl Plan {
 
     /// The scene that holds at a frame.
     fn scene_at(&self, frame: i32) -> &Scene {
-        let mut variants = self.variants.iter().rev();
-        let found = variants.find(|(from, _)| *from <= frame);
-        &found.unwrap_or(&self.variants[0]).1
+        &self.variants[self.variant_at(frame)].1
+    }
+
+    fn variant_at(&self, frame: i32) -> usize {
+        let begun = self.variants.partition_point(|(from, _)| *from <= frame);
+        begun.saturating_sub(1)
     }
 
     /// Everything that reaches frame `frame` from outside; pure, so any frame can be asked for.
@@ -186,12 +199,7 @@ impl Plan {
     /// Names of the picture's layers: those of the scene and `rest`; `particles` alone if the scene
     /// has none.
     pub fn layer_names(&self) -> Vec<String> {
-        let layers = &self.variants[0].1.layers;
-        let names = layers.iter().map(|layer| layer.name.clone());
-        if layers.is_empty() {
-            return vec!["particles".into()];
-        }
-        names.chain(["rest".into()]).collect()
+        self.variants[0].1.layer_names()
     }
 
     /// The earliest frame that a run has to step to have every particle of `frame` right, from an

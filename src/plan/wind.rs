@@ -14,18 +14,33 @@ const NOISE_TAG: u32 = 0x6e6f_6973;
 
 /// The parts of the wind at `frame`; `scene` is the scene as it is then.
 pub(super) fn winds_of(scene: &Scene, frame: i32) -> Vec<Wind> {
+    let kind = std::mem::discriminant::<scene::Wind>;
     let parts = scene.winds.iter().enumerate();
     parts
         .map(|(at, part)| {
-            let key = noise_key(scene.seed, at as u32);
+            // Counted among its kind, so that a part keeps its noise when others come before it.
+            let before = scene.winds[..at].iter();
+            let ordinal = before.filter(|other| kind(other) == kind(part)).count();
+            let key = noise_key(scene.seed, ordinal as u32, kind_number(part));
             wind_of(part, key, f64::from(frame))
         })
         .collect()
 }
 
-/// The key of the noise of the part at that place in the list.
-fn noise_key(seed: u64, at: u32) -> u32 {
-    pcg4d(UVec4::new(seed as u32, (seed >> 32) as u32, at, NOISE_TAG)).x
+/// The key of the noise of the part at that place among its kind.
+fn noise_key(seed: u64, ordinal: u32, kind: u32) -> u32 {
+    let [low, high] = [seed as u32, (seed >> 32) as u32];
+    pcg4d(UVec4::new(low, high, ordinal, NOISE_TAG ^ kind)).x
+}
+
+/// Tells apart the kinds that are made of noise.
+fn kind_number(part: &scene::Wind) -> u32 {
+    match part {
+        scene::Wind::Gusts { .. } => 1,
+        scene::Wind::Noise(_) => 2,
+        scene::Wind::Curl(_) => 3,
+        _ => 0,
+    }
 }
 
 /// How far a slow random quantity is from its middle at a time, in `frames`: -1 to 1, smooth.

@@ -135,6 +135,14 @@ impl<'a> Reader<'a> {
             })
     }
 
+    /// Whether the key is written, and is an array that is not empty.
+    pub(super) fn has_items(&self, key: &str) -> bool {
+        let entry = self.node.entry(key);
+        entry.is_some_and(
+            |entry| matches!(&entry.node.value, Value::Array(items) if !items.is_empty()),
+        )
+    }
+
     /// Where the key's value stands, or the table if it is not written.
     pub(super) fn at(&self, key: &str) -> &At {
         let entry = self.node.entry(key);

@@ -2,8 +2,9 @@
 
 use glam::Vec3;
 
-use crate::cpu::particle::{appearance_of, identity_of, row_index};
-use crate::cpu::projection::{Projected, project, project_closing, world_of};
+use crate::cpu::particle::row_index;
+use crate::cpu::projection::{Projected, project_closing};
+use crate::cpu::sprite::sprite_of;
 use crate::layout::{Particle, SystemRow};
 use crate::plan::FrameInputs;
 
@@ -28,12 +29,11 @@ pub(super) fn line_of(
 ) -> Option<Line> {
     let view = &inputs.frame;
     let system = &inputs.systems[particle.slot() as usize];
-    let (who, age) = identity_of(particle, inputs);
     let row = &rows[row_index(particle.slot(), 0, 0)];
-    let look = appearance_of(who, row, age + 1);
+    let sprite = sprite_of(inputs, row, particle);
     let position = Vec3::from(particle.position());
     let shift = Vec3::from(particle.velocity()) * view.shutter;
-    let start = project(view, world_of(system, position));
+    let start = sprite.start;
     let end = project_closing(view, system, position + shift);
     let is_seen = |point: &Projected| point.depth >= view.near;
     if !is_seen(&start) || !is_seen(&end) {
@@ -42,7 +42,7 @@ pub(super) fn line_of(
     Some(Line {
         from_px: [start.x, start.y],
         to_px: [end.x, end.y],
-        color: (look.color * (1.0 - look.transparency)).into(),
+        color: sprite.color.into(),
         system: particle.slot(),
     })
 }

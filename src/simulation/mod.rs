@@ -175,8 +175,8 @@ impl Simulation {
         if !self.plan.uses.cover(&inputs) {
             return Err(SimulationError::Plan(PlanError {
                 message: "these inputs use what no system of the plan does".into(),
-                help: "give the plan a system, or a change, that has the same particle shapes \
-                       and an intensity threshold where the inputs have one"
+                help: "give the plan a system, or a change, that has all that these inputs have: \
+                       particle shapes, thresholds, bounds, drag, noise, layers and the like"
                     .into(),
             }));
         }
@@ -227,6 +227,11 @@ impl Simulation {
             self.backend.draw(inputs)?;
         }
         Ok(())
+    }
+
+    /// What the last frame stepped was made from: its view, background and exposure among others.
+    pub fn frame_inputs(&self) -> Option<&FrameInputs> {
+        self.inputs.as_ref()
     }
 
     /// Names of the picture's layers: those of the scene and `rest`; `particles` alone if the scene

@@ -279,9 +279,23 @@ fn r32_a_layer_is_a_picture_of_its_own() {
         assert_eq!(at(&back), 0x80);
         assert_eq!(at(&front), 0x40 << 8);
         assert_eq!(at(&whole), 0x4080);
-        // An opaque blue object between them, put over the one and under the other.
-        let object = 0x00ff_0000;
-        assert_eq!(at(&front) + object, 0xff_4000);
+        // An opaque blue object in the left half comes between them.
+        let layer = |words: &[u32]| motes::output::Rgba8Image {
+            width: 64,
+            height: 64,
+            pixels: words.iter().flat_map(|word| word.to_le_bytes()).collect(),
+        };
+        let black = layer(&[0xff00_0000; 64 * 64]);
+        let object: Vec<u32> = (0..64 * 64)
+            .map(|at| if at % 64 <= 32 { 0xffff_0000 } else { 0 })
+            .collect();
+        let (back, front) = (layer(&back).into_layer(), layer(&front).into_layer());
+        let composed = black.under(&back).under(&layer(&object)).under(&front);
+        let pixel = |x: usize| &composed.pixels[4 * (32 * 64 + x)..][..4];
+        // The front's alpha is its brightest channel: so much of the object is hidden by it.
+        assert_eq!(pixel(32), [0, 0x40, 0xbf, 0xff]);
+        assert_eq!(pixel(0), [0, 0, 0xff, 0xff]);
+        assert_eq!(pixel(63), [0, 0, 0, 0xff]);
         // Layers do not touch the state: the next frame is as if nothing had been asked.
         let plan = stepped.plan.clone();
         let next = plan.inputs(1);

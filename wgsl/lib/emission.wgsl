@@ -83,7 +83,7 @@ fn axis_of(row: SystemRow, born: Birthplace) -> vec3<f32> {
     return select(up, axis, less(0.0f, dot3(axis, axis)));
 }
 
-// A vector that turns with the rows of a transform, and one that moves with them.
+// A vector turned as the rows of a transform turn.
 fn turned(x_row: vec4<f32>, y_row: vec4<f32>, z_row: vec4<f32>, v: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(
         x_row.x * v.x + x_row.y * v.y + x_row.z * v.z,

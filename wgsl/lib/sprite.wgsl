@@ -6,7 +6,7 @@
 // Reads and writes no buffers. Invariant: exact on every driver; twin of src/cpu/sprite.rs.
 #define_import_path motes::sprite
 
-#import motes::exact::{less, min_exact, reciprocal}
+#import motes::exact::{inverse_square_root, less, min_exact}
 #import motes::footprint::MOST_RADIUS_PX
 #import motes::layout::{
     Frame, PARTICLE_RECTANGLE, PARTICLE_STREAK, Particle, STREAK_CONSTANT, SystemFrame, SystemRow,
@@ -51,7 +51,8 @@ fn sprite_of(
     var light = 1.0f - look.transparency;
     let unit_distance = row.ejection_and_light.z;
     if features.light_distances && less(0.0f, unit_distance) {
-        light *= unit_distance * unit_distance * reciprocal(start.distance_squared);
+        let share = unit_distance * inverse_square_root(start.distance_squared);
+        light *= share * share;
     }
     return Sprite(
         world,

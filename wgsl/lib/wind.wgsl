@@ -8,9 +8,9 @@
 // Reads and writes no buffers. Invariant: exact on every driver; twin of src/cpu/wind.rs.
 #define_import_path motes::wind
 
-#import motes::exact::{cross3, dot3, inverse_square_root, less, reciprocal}
+#import motes::exact::{cross3, dot3, inverse_square_root, less}
 #import motes::layout::{
-    WIND_ATTRACTOR, WIND_CURL, WIND_NOISE, WIND_SOURCE, WIND_UNIFORM, WIND_VORTEX, Wind,
+    WIND_ATTRACTOR, WIND_CURL, WIND_NOISE, WIND_SOURCE, WIND_VORTEX, Wind,
 }
 #import motes::noise::noise
 
@@ -49,7 +49,8 @@ fn wind_of(wind: Wind, p: vec3<f32>, noises: bool) -> vec3<f32> {
     let away = p - wind.place.xyz;
     let around = cross3(wind.aim.xyz, away);
     let inverse_distance = inverse_square_root(dot3(away, away) + radius * radius);
-    let swirl = 2.0f * radius * strength * reciprocal(dot3(around, around) + radius * radius);
+    let inverse_swirl = inverse_square_root(dot3(around, around) + radius * radius);
+    let swirl = 2.0f * radius * strength * inverse_swirl * inverse_swirl;
     let outflow = strength * inverse_distance * inverse_distance * inverse_distance;
     var flow = wind.aim.xyz;
     flow = select(flow, around * swirl, kind == WIND_VORTEX);

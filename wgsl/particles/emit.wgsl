@@ -1,7 +1,7 @@
 // emit: this frame's newborns, written behind the living of one page.
 //
 // Reeves 1983, 2.2: a place in the generation shape, a direction within the ejection angle of an
-// axis (outward for the sphere, else the local +z; uniform in solid angle), and a speed. Those of a
+// axis, and a speed. Those of a
 // moving system that are spread over the frame begin where it was at their moment, and have gone
 // on since.
 // One invocation a newborn. Reads: frame, system_frames, rows, birth_offsets, counts, curve_points.
@@ -50,7 +50,7 @@ fn slot_of_birth(birth: u32) -> u32 {
 
 fn birthplace(row: SystemRow, place: vec4<u32>) -> Birthplace {
     if row.kinds.x == SHAPE_CURVE {
-        let along = unit_float(place.x) * (row.shape.z - 1.0f);
+        let along = unit_float(place.x) * row.shape.z;
         let before = u32(to_i32(along));
         let first = u32(to_i32(row.shape.y)) + before;
         let part = along - f32_of_u32(before);

@@ -10,6 +10,7 @@ use crate::output::{OutputTarget, dump_path};
 pub(super) fn refuse(
     target: &OutputTarget,
     frames: &Range<u32>,
+    layers: &[String],
     stats: Option<&Path>,
     dumps: &[u32],
     dump_dir: &Path,
@@ -21,6 +22,13 @@ pub(super) fn refuse(
     };
     let mut files = vec![("the pictures (-o)", pictures)];
     files.extend(stats.map(|stats| ("the statistics (--stats)", stats.to_owned())));
+    if let Some(stats) = stats {
+        let beside = layers.iter().filter_map(|layer| {
+            let paths = frames.clone().map(|frame| target.layer_path(frame, layer));
+            paths.flatten().find(|path| place(path) == place(stats))
+        });
+        files.extend(beside.map(|path| ("a layer (--layers)", path)));
+    }
     let first_dump = files.len();
     for &frame in dumps {
         let path = dump_path(dump_dir, "particles", frame);

@@ -60,7 +60,7 @@ impl Job<'_> {
                     .sum::<u64>();
                 self.write_stats(&lines, frames)?;
             }
-            progress.inc(1);
+            progress.set_position((i64::from(frame) - i64::from(first) + 1) as u64);
         }
         progress.finish_and_clear();
         Ok(dropped)
@@ -85,13 +85,15 @@ impl Job<'_> {
         match &mut self.pictures {
             Pictures::Frames(sink) => sink.write_frame(frame, &image_of(simulation, scene)?)?,
             Pictures::Lines(path) => {
-                let now = scene.at(f64::from(frame));
+                let lines = simulation.lines()?;
+                let seen = simulation.frame_inputs().map(|inputs| inputs.frame);
+                let [red, green, blue, _] = seen.map_or([0.0; 4], |frame| frame.background);
                 let drawing = Drawing {
-                    width: now.image.width,
-                    height: now.image.height,
-                    background: now.image.background,
-                    exposure: now.image.exposure,
-                    lines: &simulation.lines()?,
+                    width: scene.image.width,
+                    height: scene.image.height,
+                    background: [red, green, blue],
+                    exposure: seen.map_or(1.0, |frame| frame.exposure),
+                    lines: &lines,
                 };
                 write_svg(path, &drawing)?;
             }

@@ -11,7 +11,7 @@ use super::CliError;
 use crate::output::{FrameSink, OutputTarget, StatsWriter};
 use crate::recording::{Recording, RefusedChange};
 use crate::scene;
-use crate::simulation::{AdapterChoice, Options, Simulation};
+use crate::simulation::{self, AdapterChoice, Options, Simulation};
 use job::{Job, Pictures};
 
 /// Arguments of `motes render`.
@@ -30,7 +30,8 @@ pub(super) struct RenderArgs {
     /// Draw this frame alone; the simulation starts as late as particles' lifetimes allow
     #[arg(long, value_name = "N")]
     frame: Option<u32>,
-    /// Write each layer of the picture beside it, with alpha: name-LAYER.png
+    /// Write each layer of the picture beside it, with alpha: name-LAYER.png. Layers sum to the
+    /// picture in light; files round that to bytes
     #[arg(long)]
     layers: bool,
     /// Size of the picture in pixels
@@ -119,6 +120,11 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
     collisions::refuse(
         &target,
         &frames,
+        &if args.layers {
+            scene.layer_names()
+        } else {
+            Vec::new()
+        },
         args.stats.as_deref(),
         &args.dump,
         &dump_dir,
@@ -156,7 +162,12 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
     )?;
     let adapter = simulation.adapter_name();
     if AdapterChoice::parse(&args.adapter) == AdapterChoice::Auto && adapter.starts_with("cpu") {
-        eprintln!("motes: there is no graphics adapter here; the processor makes the same bits");
+        let why = if simulation::adapters().is_empty() {
+            "there is no graphics adapter here"
+        } else {
+            "no graphics adapter here has room for this scene"
+        };
+        eprintln!("motes: {why}; the processor makes the same bits");
     }
     eprintln!("motes: {} on {adapter}", scene.name);
     let pictures = match &target {

@@ -13,7 +13,7 @@ use crate::rng::{signed_float, unit_float};
 #[inline]
 fn birthplace(row: &SystemRow, curve_points: &[[f32; 4]], place: UVec4) -> Birthplace {
     if row.kinds[0] == SHAPE_CURVE {
-        let along = unit_float(place.x) * (row.shape[2] - 1.0);
+        let along = unit_float(place.x) * row.shape[2];
         let before = to_i32(along) as u32;
         let first = to_i32(row.shape[1]) as u32 + before;
         let part = along - f32_of_u32(before);

@@ -3,7 +3,7 @@
 
 use crate::area::screen_area_px;
 use crate::cpu::particle::{Identity, STREAM_BIRTHS, draw};
-use crate::exact::{shared_constants, to_i32};
+use crate::exact::{max_exact, shared_constants, to_i32};
 use crate::layout::{Counts, Frame, SYSTEM_PER_AREA, SYSTEM_STOCHASTIC, SystemFrame};
 use crate::plan::FrameInputs;
 use crate::rng::{signed_float, unit_float};
@@ -25,7 +25,9 @@ pub fn births_of(system: &SystemFrame, frame: &Frame) -> u32 {
     if system.flags & SYSTEM_PER_AREA != 0 {
         wanted *= screen_area_px(frame, system.bounding_sphere);
     }
-    wanted += system.burst_parts + signed_float(random.z) * system.burst_var;
+    let burst = system.burst_parts + signed_float(random.z) * system.burst_var;
+    // Neither takes from the other.
+    wanted = max_exact(wanted, 0.0) + max_exact(burst, 0.0);
     let rounding = if system.flags & SYSTEM_STOCHASTIC != 0 {
         unit_float(random.y)
     } else {

@@ -7,7 +7,7 @@ pub(super) use tracks::tracks;
 use super::read::{Reader, Spot};
 use super::tree::{At, Node, Value};
 use super::values::Quantity;
-use super::{BirthUnit, Camera, Image, SceneError, Spread};
+use super::{BirthUnit, Camera, Image, SceneError, Spread, System};
 
 /// Pixels of an image at most: 4096 x 2160.
 const MAX_PIXELS: u32 = 8_847_360;
@@ -155,7 +155,7 @@ pub(super) fn births(table: &Reader<'_>) -> Result<BirthUnit, SceneError> {
             "keep one of the two triples: particles a frame, or particles a frame and pixel of \
              screen area",
         )),
-        (None, None) if table.has("burst") => Ok(BirthUnit::Frame),
+        (None, None) if table.has_items("burst") => Ok(BirthUnit::Frame),
         (None, None) => Err(table.at("").error(
             format!(
                 "`{}` has neither births a frame {frame} nor births an area {area}",
@@ -229,6 +229,24 @@ pub(super) fn frames(first: i32, end: Option<i32>, table: &Reader<'_>) -> Result
     }
 }
 
+/// Nothing is to be born before the trigger that it counts from.
+pub(super) fn triggers(system: &System, table: &Reader<'_>) -> Result<(), SceneError> {
+    if system.trigger_frames.is_empty() {
+        return Ok(());
+    }
+    let earliest = system.bursts.iter().map(|burst| (burst.frame, "burst"));
+    let births = std::iter::once((system.first_frame, "first_frame"));
+    match births.chain(earliest).find(|(frame, _)| *frame < 0) {
+        Some((frame, key)) => {
+            let path = table.path_of(key);
+            let what = format!("`{path}` is at frame {frame} before the trigger it counts from");
+            let help = "frames from 0 on, and earlier `trigger_frames`";
+            Err(table.at(key).error(what, help))
+        }
+        None => Ok(()),
+    }
+}
+
 /// The longest lifetime fits a particle's state.
 pub(super) fn lifetime(lifetime: Spread<f32>, table: &Reader<'_>) -> Result<(), SceneError> {
     let fault = || lifetime_fault(lifetime, &table.path_of("lifetime"));
@@ -258,6 +276,12 @@ pub(super) fn unique_names(root: &Node) -> Result<(), SceneError> {
             let Value::Text(text) = &name.node.value else {
                 continue;
             };
+            if kind == "layer" && ["rest", "particles"].contains(&text.as_str()) {
+                let what = format!("`layer.{text}.name` is that of a layer that is always there");
+                let help = "another name: `rest` is what is behind no plane, and `particles` the \
+                            picture of a scene without layers";
+                return Err(name.node.at.error(what, help));
+            }
             if let Some(first) = seen.insert(text, &name.node.at) {
                 let what = format!("`{kind}.{text}.name` is already that of another {kind}");
                 let help = format!(

@@ -79,6 +79,7 @@ fn system(index: usize, node: &Node) -> Result<System, SceneError> {
         light_distance: table.may("light_distance", Quantity::read)?,
     };
     check::frames(system.first_frame, system.end_frame, &table)?;
+    check::triggers(&system, &table)?;
     if let Some(lifetime) = system.lifetime {
         check::lifetime(lifetime, &table)?;
     }
@@ -92,7 +93,7 @@ fn births(table: &Reader<'_>) -> Result<Births, SceneError> {
     let initial_mean_parts = match table.may(initial, Quantity::read)? {
         Some(parts) => parts,
         // Bursts may be all.
-        None if table.has("burst") && !check::has_births(table) => 0.0,
+        None if table.has_items("burst") && !check::has_births(table) => 0.0,
         None => return Err(table.missing(initial)),
     };
     Ok(Births {

@@ -58,7 +58,7 @@ pub const SYSTEM: &[Field] = &[
     default("rotation_degrees", numbers(2, -36_000.0, 36_000.0), "[0, 0]", "degrees", "turns about x, then about y; local +z is the system's up"),
     default("first_frame", whole(-65_000, 1_000_000), "0", "frames", "the first frame with births; below 0, the system is under way when the scene begins"),
     optional("end_frame", whole(-64_999, 1_000_000), "60", "frames", "the first frame without births again; never if left out"),
-    default("trigger_frames", Kind::Wholes { min: -65_000, max: 1_000_000, most: 256 }, "[]", "frames", "when the system begins anew: frames of its births then count from the last of these"),
+    default("trigger_frames", Kind::Wholes { min: -65_000, max: 1_000_000, most: 256 }, "[]", "frames", "when the system begins: nobody is born before the first of these, and first_frame, end_frame and bursts count from the last one"),
     default("burst", Kind::Tables { fields: BURST, max: 64 }, "[]", "", "births all at once, besides the others"),
     default("birth_moment", Kind::Choice(&["frame_start", "within_frame"]), "\"frame_start\"", "", "whether particles are born at a frame's start, or at any moment of it, so that jets and moving systems leave no gaps"),
     default("particle_space", Kind::Choice(&["system", "world"]), "\"system\"", "", "whether the living move and turn with their system, or stay behind"),

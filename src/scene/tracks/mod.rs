@@ -114,6 +114,15 @@ impl Track {
         2.0 / ((since / arriving + until / leaving) / span)
     }
 
+    /// Whether it is a value that newborns keep for life, and not one that acts on a whole system,
+    /// on how many are born, or on all alike.
+    pub fn rules_newborns(&self) -> bool {
+        let acts_at_once = ["position", "rotation_degrees", "acceleration", "drag"];
+        matches!(self.owner, Owner::System(_))
+            && !acts_at_once.contains(&self.key.as_str())
+            && !self.key.contains("_parts")
+    }
+
     /// Puts the value at a time into its place in the scene.
     pub(super) fn put(&self, scene: &mut Scene, time: f64) {
         if let Some(numbers) = numbers_of(scene, self.owner, &self.key) {
@@ -124,6 +133,15 @@ impl Track {
 }
 
 impl Scene {
+    /// Names of the picture's layers: those of the file and `rest`; `particles` alone if it has none.
+    pub fn layer_names(&self) -> Vec<String> {
+        let names = self.layers.iter().map(|layer| layer.name.clone());
+        if self.layers.is_empty() {
+            return vec!["particles".into()];
+        }
+        names.chain(["rest".into()]).collect()
+    }
+
     /// The scene as it is at a time, in frames.
     pub fn at(&self, time: f64) -> Cow<'_, Self> {
         if self.tracks.is_empty() {
@@ -135,6 +153,23 @@ impl Scene {
         };
         for track in &self.tracks {
             track.put(&mut scene, time);
+        }
+        Cow::Owned(scene)
+    }
+
+    /// The scene as it is at a time within a frame of `frame`, as seen from it: values that jump at
+    /// keys are those of the frame itself, and do not pass through what lies between.
+    pub fn seen_from(&self, frame: f64, time: f64) -> Cow<'_, Self> {
+        if self.tracks.is_empty() {
+            return Cow::Borrowed(self);
+        }
+        let mut scene = Self {
+            tracks: Vec::new(),
+            ..self.clone()
+        };
+        for track in &self.tracks {
+            let jumps = track.interpolation == Interpolation::Step;
+            track.put(&mut scene, if jumps { frame } else { time });
         }
         Cow::Owned(scene)
     }
