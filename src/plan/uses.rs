@@ -1,7 +1,7 @@
 //! Which features a plan has: kernels leave out what it has none of.
 
 use super::FrameInputs;
-use crate::layout::{PARTICLE_RECTANGLE, PARTICLE_STREAK, SystemFrame, SystemRow, Wind};
+use crate::layout::{PARTICLE_RECTANGLE, PARTICLE_STREAK, SystemFrame, SystemRow, WIND_CURL, Wind};
 
 macro_rules! uses {
     ($($(#[$doc:meta])* $field:ident $switch:literal;)*) => {
@@ -33,10 +33,18 @@ uses! {
     bounds "BOUNDS";
     /// Rates that differ from particle to particle.
     rate_spreads "RATE_SPREADS";
+    /// More than one system.
+    many_systems "MANY_SYSTEMS";
     /// Drag, and with it wind.
     drags "DRAGS";
+    /// Wind of several parts.
+    many_winds "MANY_WINDS";
     /// Wind that is made of noise.
     noises "NOISES";
+    /// Noise of more than one octave.
+    octaves "OCTAVES";
+    /// Wind that is a product of two gradients.
+    curls "CURLS";
     /// Particles drawn as streaks.
     streaks "STREAKS";
     /// Particles drawn as rectangles.
@@ -55,6 +63,8 @@ impl Uses {
         let winds = inputs.winds.iter().map(Self::of_wind);
         let own = Self {
             layers: !inputs.layer_planes.is_empty(),
+            many_systems: inputs.systems.len() > 1,
+            many_winds: inputs.winds.len() > 1,
             ..Self::default()
         };
         rows.chain(systems).chain(winds).fold(own, Self::and)
@@ -83,6 +93,8 @@ impl Uses {
     fn of_wind(wind: &Wind) -> Self {
         Self {
             noises: wind.kinds[1] > 0,
+            octaves: wind.kinds[1] > 1,
+            curls: wind.kinds[0] == WIND_CURL,
             ..Self::default()
         }
     }

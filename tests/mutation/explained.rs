@@ -38,6 +38,7 @@ static EXPLAINED: &[Explanation] = &[
     ("lib/footprint", "footprint_of: Min(across, Uint(_.minor_size)) -> not Min", "decides only who draws: one invocation or many, the same light"),
     ("lib/footprint", "const FEW_CELLS: 2048u -> 2049u", "tells only on footprints of 2,049 cells, and there by the last bit of a sum"),
     ("lib/footprint", "gain_of: (major < last) -> LessEqual", "one row more, beyond the reach: its weights are 0"),
+    ("lib/footprint", "is_visible: end.x -> member y", "looks at more of what is outside and covers nothing; only a streak from beyond a corner would tell"),
     ("lib/footprint", "is_visible: 0.0f -> -1.0f", "a pixel more of a margin of two, where nothing is covered"),
     ("lib/emission", "on_sphere: 0.0f -> -1.0f", "1 - z z is never negative, and the root of what is negative is 0"),
     ("lib/emission", "axis_of: axis = up -> omitted", "an axis of zeros becomes up in the end"),

@@ -40,9 +40,31 @@ fn turbulence(wind: Wind, p: vec3<f32>, octaves: u32, first_key: u32) -> vec3<f3
     return sum;
 }
 
+// What noises any part of the wind is made of: any at all, some of more than one octave, curls.
+struct Noises {
+    any: bool,
+    octaves: bool,
+    curls: bool,
+}
+
+// As turbulence, of at most one octave where there are no more: loops are slow on software drivers.
+fn gradient(wind: Wind, p: vec3<f32>, count: u32, key: u32, octaves: bool) -> vec3<f32> {
+    if octaves {
+        return turbulence(wind, p, count, key);
+    }
+    let at = vec3<f32>(
+        p.x * wind.scale.x + wind.offset.x,
+        p.y * wind.scale.y + wind.offset.y,
+        p.z * wind.scale.z + wind.offset.z,
+    );
+    let sample = noise(at, key);
+    let folded = wind.kinds.w == 1u && less(sample.w, 0.0f);
+    return sample.xyz * select(1.0f, -1.0f, folded);
+}
+
 // What one part adds to the wind at the world place `p`. Drivers that run all branches run no
 // loop that no invocation enters: kinds without noise ask for no octaves.
-fn wind_of(wind: Wind, p: vec3<f32>, noises: bool) -> vec3<f32> {
+fn wind_of(wind: Wind, p: vec3<f32>, noises: Noises) -> vec3<f32> {
     let kind = wind.kinds.x;
     let radius = wind.place.w;
     let strength = wind.aim.w;
@@ -56,11 +78,15 @@ fn wind_of(wind: Wind, p: vec3<f32>, noises: bool) -> vec3<f32> {
     flow = select(flow, around * swirl, kind == WIND_VORTEX);
     flow = select(flow, away * outflow, kind == WIND_SOURCE);
     flow = select(flow, away * (-strength * inverse_distance), kind == WIND_ATTRACTOR);
-    if noises {
-        let first = turbulence(wind, p, wind.kinds.y, wind.kinds.z);
+    if !noises.any {
+        return flow;
+    }
+    let first = gradient(wind, p, wind.kinds.y, wind.kinds.z, noises.octaves);
+    flow = select(flow, first * strength, kind == WIND_NOISE);
+    if noises.curls {
         let second_octaves = select(0u, wind.kinds.y, kind == WIND_CURL);
-        let second = turbulence(wind, p, second_octaves, wind.kinds.z ^ CURL_KEY);
-        flow = select(flow, first * strength, kind == WIND_NOISE);
+        let second_key = wind.kinds.z ^ CURL_KEY;
+        let second = gradient(wind, p, second_octaves, second_key, noises.octaves);
         let curl = cross3(first, second);
         let weights = wind.place.xyz;
         let swirling = vec3<f32>(curl.x * weights.x, curl.y * weights.y, curl.z * weights.z);

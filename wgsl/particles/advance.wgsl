@@ -14,12 +14,17 @@
 #import motes::layout::{Counts, Frame, Particle, SystemFrame, Wind}
 #import motes::particle::slot_of
 #import motes::projection::world_of
-#import motes::wind::wind_of
+#import motes::wind::{Noises, wind_of}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
-// Whether any system has drag, and whether any part of the wind is noise.
+// Whether there are several systems; whether any has drag; whether the wind has several parts;
+// whether any of them is noise, of more than one octave, a curl.
+const MANY_SYSTEMS: bool = #{MANY_SYSTEMS};
 const DRAGS: bool = #{DRAGS};
+const MANY_WINDS: bool = #{MANY_WINDS};
 const NOISES: bool = #{NOISES};
+const OCTAVES: bool = #{OCTAVES};
+const CURLS: bool = #{CURLS};
 
 struct Pages {
     source_page: u32,
@@ -38,10 +43,10 @@ var<immediate> pages: Pages;
 
 // The system in that slot; a lone one is loaded once for all invocations.
 fn system_at(slot: u32) -> SystemFrame {
-    if frame.system_count == 1u {
-        return system_frames[0];
+    if MANY_SYSTEMS {
+        return system_frames[slot];
     }
-    return system_frames[slot];
+    return system_frames[0];
 }
 
 // What drag adds to a velocity in a frame: a part of what it lacks of the wind's, in the system's
@@ -49,8 +54,13 @@ fn system_at(slot: u32) -> SystemFrame {
 fn drag_on(system: SystemFrame, position: vec3<f32>, velocity: vec3<f32>) -> vec3<f32> {
     let world = world_of(system, position);
     var flow = vec3<f32>(0.0f);
-    for (var at = 0u; at < frame.wind_count; at += 1u) {
-        flow += wind_of(winds[at], world, NOISES);
+    let noises = Noises(NOISES, OCTAVES, CURLS);
+    if MANY_WINDS {
+        for (var at = 0u; at < frame.wind_count; at += 1u) {
+            flow += wind_of(winds[at], world, noises);
+        }
+    } else if frame.wind_count == 1u {
+        flow = wind_of(winds[0], world, noises);
     }
     let x_row = system.world_from_system_x.xyz;
     let y_row = system.world_from_system_y.xyz;

@@ -21,7 +21,7 @@ pub(super) fn anywhere(r: &Arguments) -> Vec4 {
 
 /// A wind of some kind, and a place.
 pub(super) const WIND_IMPORTS: &str = "#import motes::layout::Wind
-#import motes::wind::wind_of
+#import motes::wind::{Noises, wind_of}
 fn flow(kind: u32, c: f32, d: f32, w: u32, i: u32) -> vec3<f32> {
     let wind = Wind(
         vec4<u32>(kind, 1u + (i & 3u), w, (w >> 9u) & 1u),
@@ -30,7 +30,10 @@ fn flow(kind: u32, c: f32, d: f32, w: u32, i: u32) -> vec3<f32> {
         vec4<f32>(0.5f, c * 0.001f, 2.0f, 0.7f),
         vec4<f32>(-d, 3.7f, c * 0.01f, 0.0f),
     );
-    return wind_of(wind, vec3<f32>(d, c, c * 0.25f), kind >= 4u || (w & 1u) == 0u);
+    let any = kind >= 4u || (w & 1u) == 0u;
+    // One octave by either way.
+    let many = wind.kinds.y != 1u || (w & 2u) == 0u;
+    return wind_of(wind, vec3<f32>(d, c, c * 0.25f), Noises(any, many, kind == 5u));
 }";
 
 pub(super) fn flow(r: &Arguments, kind: u32) -> Vec3 {
