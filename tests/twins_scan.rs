@@ -111,7 +111,11 @@ fn survivors_are_kept_in_order_across_pages() {
     assert_scans(&plan, &frames_of(&plan, 12), &options);
     let plan = everything_turning(&everything_within(2500));
     assert_scans(&plan, &frames_of(&plan, 8), &options);
-    let (plan, frames) = adversarial(3, 100, 6);
+    let (plan, mut frames) = adversarial(3, 100, 6);
+    // What moves them is for the twins to compare: here, the order counts.
+    for system in frames.iter_mut().flat_map(|inputs| &mut inputs.systems) {
+        system.acceleration[3] = 0.0;
+    }
     assert_scans(&plan, &frames, &options);
 }
 

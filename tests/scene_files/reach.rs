@@ -115,7 +115,7 @@ fn first_system() -> System {
         trigger_frames: vec![-5, 0, 40],
         bursts: vec![
             Burst {
-                frame: -3,
+                frame: 13,
                 parts: spread(500.0, 50.0),
             },
             Burst {

@@ -240,7 +240,16 @@ fn lists_have_an_end() {
 
 #[test]
 fn a_system_may_begin_before_the_scene() {
-    let begun = with("system", "first_frame", "-65_000");
+    let triggered = with("system", "first_frame", "-65_000");
+    let error = refused(&triggered);
+    assert!(
+        error
+            .message()
+            .contains("`system.first.first_frame` is at frame -65000 before the trigger"),
+        "{error}"
+    );
+    assert_eq!(error.line(), Some(line_of("system", "first_frame")));
+    let begun = triggered.replace("trigger_frames = [-5, 0, 40]\n", "");
     let system = &accepted(&begun).systems[0];
     assert_eq!((system.first_frame, system.end_frame), (-65_000, Some(9)));
     let error = refused(&with("system", "first_frame", "9"));

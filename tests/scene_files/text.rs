@@ -81,7 +81,7 @@ intensity_threshold = 0.01
 intensity = "luminance"
 light_distance = 7.5
 [[system.burst]]
-frame = -3
+frame = 13
 parts = { mean = 500, var = 50 }
 [[system.burst]]
 frame = 4
