@@ -162,7 +162,7 @@ impl Plan {
             .iter()
             .map(|(_, scene)| scene.tracks.is_empty().then(|| bounds::areas_of(scene)))
             .collect();
-        let cost = still_areas.iter().any(Option::is_none);
+        let has_keys = still_areas.iter().any(Option::is_none);
         bounds::capacity(
             |frame| {
                 let at = self.variant_at(frame);
@@ -172,7 +172,7 @@ impl Plan {
                     None => bounds::births_bound(&now, &bounds::areas_of(&now), frame),
                 }
             },
-            self.system_count as usize * if cost { bounds::KEYED_COST } else { 1 },
+            self.system_count as usize * if has_keys { bounds::KEYED_COST } else { 1 },
             self.lifetime_bound,
             self.first_frame,
             frame_end,

@@ -86,3 +86,14 @@ pub struct Scene {
     /// Values that change with the frame; the fields above hold those of the first keys.
     pub tracks: Vec<Track>,
 }
+
+impl Scene {
+    /// Names of the picture's layers: those of the file and `rest`; `particles` alone if it has none.
+    pub fn layer_names(&self) -> Vec<String> {
+        let names = self.layers.iter().map(|layer| layer.name.clone());
+        if self.layers.is_empty() {
+            return vec!["particles".into()];
+        }
+        names.chain(["rest".into()]).collect()
+    }
+}

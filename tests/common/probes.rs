@@ -166,6 +166,7 @@ pub(crate) static PROBES: &[ProbeKernel] = &[
         ("bits(flow(3u, c, d, w, i).z)", |r| bits(flow(r, 3).z)),
         ("bits(flow(4u, c, d, w, i).x)", |r| bits(flow(r, 4).x)),
         ("bits(flow(4u, c, d, w, i).z)", |r| bits(flow(r, 4).z)),
+        ("bits(flow(5u, c, d, w, i).x)", |r| bits(flow(r, 5).x)),
         ("bits(flow(5u, c, d, w, i).y)", |r| bits(flow(r, 5).y)),
         ("bits(flow(5u, c, d, w, i).z)", |r| bits(flow(r, 5).z)),
     ] },

@@ -4,31 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use glam::DVec3;
 
-use crate::support::{Member, Run, on_every_backend, sample, scene};
+use crate::support::{Member, Run, Who, living, on_every_backend, sample, scene};
 
 fn vector(words: [f32; 3]) -> DVec3 {
     DVec3::from_array(words.map(f64::from))
-}
-
-/// Who a particle is: system, birth frame, index.
-type Who = (u32, u32, u32);
-
-fn who(member: &Member) -> Who {
-    (
-        member.state.system,
-        member.who.birth_frame,
-        member.who.index,
-    )
-}
-
-/// The living of a run after a frame.
-fn living(run: &mut Run, frame: u32) -> BTreeMap<Who, Member> {
-    run.step_to(frame);
-    let members = run.members();
-    members
-        .into_iter()
-        .map(|member| (who(&member), member))
-        .collect()
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Scenes in a few lines, runs on every backend, and pictures as sums of light.
 
 use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use motes::backend::{Backend, BackendError};
@@ -294,4 +295,25 @@ impl Run {
             self.simulation.step().expect("the backend steps");
         }
     }
+}
+
+/// Who a particle is: system, birth frame, index.
+pub(crate) type Who = (u32, u32, u32);
+
+fn who(member: &Member) -> Who {
+    (
+        member.state.system,
+        member.who.birth_frame,
+        member.who.index,
+    )
+}
+
+/// The living of a run after a frame.
+pub(crate) fn living(run: &mut Run, frame: u32) -> BTreeMap<Who, Member> {
+    run.step_to(frame);
+    let members = run.members();
+    members
+        .into_iter()
+        .map(|member| (who(&member), member))
+        .collect()
 }

@@ -4,7 +4,8 @@
 // gradient of a band-limited noise. Small scales add octaves whose power falls as 1/f^beta (2.1.2,
 // after Perlin) and have a scale of their own along each axis (Sakas and Westermann).
 // A curl is the product of two gradients; its place holds weights, one an axis, that keep it from
-// diverging where axes have scales of their own. A vortex is that of Scully, a source the potential flow out of a point, both without the pole.
+// diverging where axes have scales of their own. A vortex is that of Scully, a source the
+// potential flow out of a point, both without the pole.
 // Reads and writes no buffers. Invariant: exact on every driver; twin of src/cpu/wind.rs.
 #define_import_path motes::wind
 
@@ -19,20 +20,30 @@ const CURL_KEY: u32 = 0x9e3779b9u;
 // Makes each octave another noise.
 const OCTAVE_KEY: u32 = 0x85ebca6bu;
 
-// The gradient of `octaves` octaves of noise at the world place `p`.
-fn turbulence(wind: Wind, p: vec3<f32>, octaves: u32, first_key: u32) -> vec3<f32> {
-    var at = vec3<f32>(
+// Where the world place `p` is in the noise.
+fn in_noise(wind: Wind, p: vec3<f32>) -> vec3<f32> {
+    return vec3<f32>(
         p.x * wind.scale.x + wind.offset.x,
         p.y * wind.scale.y + wind.offset.y,
         p.z * wind.scale.z + wind.offset.z,
     );
+}
+
+// The gradient of one octave, `weight` times, at a place of the noise.
+fn octave_at(wind: Wind, at: vec3<f32>, key: u32, weight: f32) -> vec3<f32> {
+    let sample = noise(at, key);
+    let folded = wind.kinds.w == 1u && less(sample.w, 0.0f);
+    return sample.xyz * select(weight, -weight, folded);
+}
+
+// The gradient of `octaves` octaves of noise at the world place `p`.
+fn turbulence(wind: Wind, p: vec3<f32>, octaves: u32, first_key: u32) -> vec3<f32> {
+    var at = in_noise(wind, p);
     var key = first_key;
     var weight = 1.0f;
     var sum = vec3<f32>(0.0f);
     for (var octave = 0u; octave < octaves; octave += 1u) {
-        let sample = noise(at, key);
-        let folded = wind.kinds.w == 1u && less(sample.w, 0.0f);
-        sum += sample.xyz * select(weight, -weight, folded);
+        sum += octave_at(wind, at, key, weight);
         at = at * 2.0f;
         weight *= wind.scale.w;
         key += OCTAVE_KEY;
@@ -52,14 +63,7 @@ fn gradient(wind: Wind, p: vec3<f32>, count: u32, key: u32, octaves: bool) -> ve
     if octaves {
         return turbulence(wind, p, count, key);
     }
-    let at = vec3<f32>(
-        p.x * wind.scale.x + wind.offset.x,
-        p.y * wind.scale.y + wind.offset.y,
-        p.z * wind.scale.z + wind.offset.z,
-    );
-    let sample = noise(at, key);
-    let folded = wind.kinds.w == 1u && less(sample.w, 0.0f);
-    return sample.xyz * select(1.0f, -1.0f, folded);
+    return octave_at(wind, in_noise(wind, p), key, 1.0f);
 }
 
 // What one part adds to the wind at the world place `p`. Drivers that run all branches run no

@@ -123,60 +123,48 @@ impl Track {
             && !self.key.contains("_parts")
     }
 
+    /// The greatest value at any key, number by number.
+    fn greatest(&self) -> [f32; 3] {
+        let numbers = |i: usize| self.keys.iter().map(move |key| key.value[i]);
+        std::array::from_fn(|i| numbers(i).fold(f32::MIN, f32::max))
+    }
+
     /// Puts the value at a time into its place in the scene.
     pub(super) fn put(&self, scene: &mut Scene, time: f64) {
+        self.put_value(scene, self.at(time));
+    }
+
+    fn put_value(&self, scene: &mut Scene, value: [f32; 3]) {
         if let Some(numbers) = numbers_of(scene, self.owner, &self.key) {
             let count = numbers.len();
-            numbers.copy_from_slice(&self.at(time)[..count]);
+            numbers.copy_from_slice(&value[..count]);
         }
     }
 }
 
 impl Scene {
-    /// Names of the picture's layers: those of the file and `rest`; `particles` alone if it has none.
-    pub fn layer_names(&self) -> Vec<String> {
-        let names = self.layers.iter().map(|layer| layer.name.clone());
-        if self.layers.is_empty() {
-            return vec!["particles".into()];
-        }
-        names.chain(["rest".into()]).collect()
-    }
-
     /// The scene as it is at a time, in frames.
     pub fn at(&self, time: f64) -> Cow<'_, Self> {
-        if self.tracks.is_empty() {
-            return Cow::Borrowed(self);
-        }
-        let mut scene = Self {
-            tracks: Vec::new(),
-            ..self.clone()
-        };
-        for track in &self.tracks {
-            track.put(&mut scene, time);
-        }
-        Cow::Owned(scene)
+        self.with(|track| track.at(time))
     }
 
     /// The scene as it is at a time within a frame of `frame`, as seen from it: values that jump at
     /// keys are those of the frame itself, and do not pass through what lies between.
     pub fn seen_from(&self, frame: f64, time: f64) -> Cow<'_, Self> {
-        if self.tracks.is_empty() {
-            return Cow::Borrowed(self);
-        }
-        let mut scene = Self {
-            tracks: Vec::new(),
-            ..self.clone()
-        };
-        for track in &self.tracks {
-            let jumps = track.interpolation == Interpolation::Step;
-            track.put(&mut scene, if jumps { frame } else { time });
-        }
-        Cow::Owned(scene)
+        self.with(|track| match track.interpolation {
+            Interpolation::Step => track.at(frame),
+            Interpolation::Linear | Interpolation::Smooth => track.at(time),
+        })
     }
 
     /// A scene that never is: every number with keys is as great as at the key where it is greatest.
     /// What any frame of the scene has of something that grows with its numbers, this has.
     pub fn greatest(&self) -> Cow<'_, Self> {
+        self.with(Track::greatest)
+    }
+
+    /// The scene without keys, each value that has some being what `value` says.
+    fn with(&self, value: impl Fn(&Track) -> [f32; 3]) -> Cow<'_, Self> {
         if self.tracks.is_empty() {
             return Cow::Borrowed(self);
         }
@@ -185,12 +173,7 @@ impl Scene {
             ..self.clone()
         };
         for track in &self.tracks {
-            if let Some(numbers) = numbers_of(&mut scene, track.owner, &track.key) {
-                for (i, number) in numbers.iter_mut().enumerate() {
-                    let values = track.keys.iter().map(|key| key.value[i]);
-                    *number = values.fold(f32::MIN, f32::max);
-                }
-            }
+            track.put_value(&mut scene, value(track));
         }
         Cow::Owned(scene)
     }
