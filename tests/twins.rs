@@ -55,6 +55,12 @@ fn what_moves_blows_and_ends_particles_is_the_same() {
 }
 
 #[test]
+fn glaring_light_and_streaks_across_the_edges_are_the_same() {
+    let plan = Plan::new(&glaring(), 6).expect("the scene can be planned");
+    assert_twins(&plan, &frames_of(&plan, 6), &small_pages());
+}
+
+#[test]
 fn extreme_inputs_are_the_same_stage_by_stage() {
     for seed in 0..if full() { 200 } else { 6 } {
         // Where the 16 bits of birth frames wrap, and where the ring of statistics does.

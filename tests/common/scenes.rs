@@ -314,3 +314,47 @@ pub(crate) fn large_shapes(width: u32, height: u32) -> Scene {
         systems.concat()
     ))
 }
+
+/// Light so bright that only a long sum of it is told apart, in squares that lie across each other
+/// and in streaks that begin and end inside and outside of every edge, in a picture whose pixels
+/// are no multiple of four; and a wind of one part.
+pub(crate) fn glaring() -> Scene {
+    scene_of(
+        r#"
+frames = 6
+[image]
+width = 62
+height = 47
+shutter = 1
+exposure = 0.00004
+[camera]
+position = [0.1, -0.1, 4]
+target = [0.1, 0.1, 0]
+[[wind]]
+kind = "noise"
+strength = 0.5
+[[system]]
+name = "squares"
+rotation_degrees = [10, 0]
+initial_mean_parts = 40
+generation_shape = { kind = "rectangle", length = 4.5, width = 3.4 }
+speed = 0
+lifetime = 3
+color = { mean = [700, 400, 200], var = [290, 390, 190] }
+size = { mean = 0.25, var = 0.1 }
+particle_shape = "rectangle"
+[[system]]
+name = "streaks"
+initial_mean_parts = 160
+generation_shape = { kind = "box", length = 6, width = 4.6, height = 0.2 }
+ejection_axis = "outward"
+ejection_angle_degrees = 180
+speed = { mean = 0, var = 1.6 }
+drag = 0.2
+lifetime = 2
+color = { mean = [500, 600, 700], var = [400, 300, 200] }
+size = { mean = 0.05, var = 0.04 }
+particle_shape = "streak"
+"#,
+    )
+}

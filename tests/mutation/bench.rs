@@ -1,6 +1,6 @@
 //! Where changed kernels are tried: the files that changes are made to, and runs under way.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 use motes::gpu::shader::sources::{KERNELS, LIBRARIES};
 use motes::gpu::shader::{self, CompileOptions, CompiledKernel, ShaderError};
@@ -21,8 +21,10 @@ const MOST_CHANGES: u32 = 60;
 /// change to a library changes every kernel that has the changed code.
 pub(crate) struct File {
     pub(crate) name: &'static str,
-    /// Kernels that have code of the file, and the changes to it there.
-    kernels: Vec<(&'static str, Vec<Site>)>,
+    /// The library's path; `None` for a kernel's own file.
+    library: Option<String>,
+    /// Kernels that have code of the file.
+    kernels: Vec<&'static str>,
 }
 
 /// All such files.
@@ -31,16 +33,17 @@ pub(crate) fn files() -> Vec<File> {
     let is_probed = |path: &str| PROBES.iter().any(|probe| probe.libraries.contains(&path));
     let own = names().map(|name| File {
         name,
-        kernels: vec![(name, sites_in(name, None))],
+        library: None,
+        kernels: vec![name],
     });
     let libraries = LIBRARIES.iter().filter_map(|source| {
         let path = source.name.replace("lib/", "motes::");
         (!is_probed(&path)).then(|| File {
             name: source.name,
             kernels: names()
-                .map(|name| (name, sites_in(name, Some(&path))))
-                .filter(|(_, sites)| !sites.is_empty())
+                .filter(|name| !sites_in(name, Some(&path), &[]).is_empty())
                 .collect(),
+            library: Some(path),
         })
     });
     // lib/layout declares what others compute with.
@@ -49,39 +52,18 @@ pub(crate) fn files() -> Vec<File> {
         .collect()
 }
 
-fn sites_in(kernel: &str, library: Option<&str>) -> Vec<Site> {
-    sites::of_kernel(&|options| shader::compile(kernel, options), &|of| {
-        of == library
-    })
+fn sites_in(kernel: &str, library: Option<&str>, off: &[&'static str]) -> Vec<Site> {
+    let compile = |options: &CompileOptions| shader::compile(kernel, options);
+    sites::of_kernel(&compile, off, &|of| of == library)
 }
 
 impl File {
-    /// Changes of the file, each once, as the first kernel that has it would be changed.
+    /// Changes of the file, each once, as they are in kernels that leave out nothing.
     pub(crate) fn sites(&self) -> Vec<Site> {
         let mut seen = BTreeSet::new();
-        let all = self.kernels.iter().flat_map(|(_, sites)| sites);
-        all.filter(|site| seen.insert(site.key()))
-            .cloned()
-            .collect()
-    }
-
-    /// The change in each kernel that has the code, at its own place there.
-    fn changed(&self, site: Option<&Site>) -> Vec<(&'static str, Option<&Site>)> {
-        let Some(site) = site else {
-            return self
-                .kernels
-                .iter()
-                .map(|(kernel, _)| (*kernel, None))
-                .collect();
-        };
-        let in_kernel = |(kernel, sites): &'_ (&'static str, Vec<Site>)| {
-            let at = sites.iter().position(|one| one.key() == site.key())?;
-            Some((*kernel, at))
-        };
-        self.kernels
-            .iter()
-            .filter_map(|one| in_kernel(one).map(|(kernel, at)| (kernel, Some(&one.1[at]))))
-            .collect()
+        let of = |kernel: &&str| sites_in(kernel, self.library.as_deref(), &[]);
+        let all = self.kernels.iter().flat_map(of);
+        all.filter(|site| seen.insert(site.key())).collect()
     }
 }
 
@@ -91,6 +73,9 @@ pub(crate) struct Bench<'a> {
     runs: Vec<Option<Run>>,
     device: Option<GpuDevice>,
     changes: u32,
+    /// Changes of the file at hand in a kernel that is compiled without some switches: what is
+    /// switched off is folded away, and changes have other places.
+    places: HashMap<(&'static str, Vec<&'static str>), Vec<Site>>,
 }
 
 /// A run and the kernels of it that are changed.
@@ -106,6 +91,7 @@ impl<'a> Bench<'a> {
             runs: trials.iter().map(|_| None).collect(),
             device: None,
             changes: 0,
+            places: HashMap::new(),
         }
     }
 
@@ -120,23 +106,34 @@ impl<'a> Bench<'a> {
         site: Option<&Site>,
     ) -> Result<Option<String>, ShaderError> {
         if self.changes >= MOST_CHANGES {
-            *self = Self::new(self.trials);
+            *self = Self {
+                places: std::mem::take(&mut self.places),
+                ..Self::new(self.trials)
+            };
         }
         self.changes += 1;
-        let changed = file.changed(site);
         // On the first adapter of those to test.
         let device = self.device.get_or_insert_with(|| open_anew(&adapters()[0]));
         for (trial, run) in self.trials.iter().zip(&mut self.runs) {
-            let size = trial.workgroup_size();
-            let kernels: Vec<_> = changed
-                .iter()
-                .map(|(kernel, site)| compile(kernel, size, *site))
-                .collect::<Result<_, _>>()?;
+            let off = trial.off();
+            let mut kernels = Vec::new();
+            for &kernel in &file.kernels {
+                let places = self.places.entry((kernel, off.clone()));
+                let places =
+                    places.or_insert_with(|| sites_in(kernel, file.library.as_deref(), &off));
+                let here = site.and_then(|site| places.iter().find(|one| one.key() == site.key()));
+                if here.is_some() || site.is_none() {
+                    kernels.push((kernel, compile(kernel, trial, here)?));
+                }
+            }
+            if kernels.is_empty() {
+                continue;
+            }
             let run = run.get_or_insert_with(|| Run {
                 backend: trial.backend(device),
                 changed: BTreeSet::new(),
             });
-            if let Some(difference) = run.difference(trial, &changed, &kernels)? {
+            if let Some(difference) = run.difference(trial, &kernels)? {
                 return Ok(Some(format!("{}: {difference}", trial.name)));
             }
         }
@@ -148,17 +145,16 @@ impl Run {
     fn difference(
         &mut self,
         trial: &Trial,
-        changed: &[(&'static str, Option<&Site>)],
-        kernels: &[CompiledKernel],
+        kernels: &[(&'static str, CompiledKernel)],
     ) -> Result<Option<String>, ShaderError> {
-        let names: BTreeSet<_> = changed.iter().map(|(kernel, _)| *kernel).collect();
+        let names: BTreeSet<_> = kernels.iter().map(|(kernel, _)| *kernel).collect();
         let restored: Vec<_> = self
             .changed
             .difference(&names)
-            .map(|kernel| compile(kernel, trial.workgroup_size(), None))
+            .map(|kernel| compile(kernel, trial, None))
             .collect::<Result<_, _>>()?;
         self.changed = names;
-        for kernel in restored.iter().chain(kernels) {
+        for kernel in restored.iter().chain(kernels.iter().map(|(_, it)| it)) {
             if let Err(e) = self.backend.restart(kernel, KernelForm::Spirv, true) {
                 return Ok(Some(format!("restart: {e}")));
             }
@@ -167,10 +163,10 @@ impl Run {
     }
 }
 
-/// The kernel, changed or not, with checked indices and bounded loops.
+/// The kernel as the trial has it, changed or not, with checked indices and bounded loops.
 fn compile(
     kernel: &str,
-    workgroup_size: u32,
+    trial: &Trial,
     site: Option<&Site>,
 ) -> Result<CompiledKernel, ShaderError> {
     let mutate = |module: &mut naga::Module| {
@@ -182,10 +178,10 @@ fn compile(
     shader::compile(
         kernel,
         &CompileOptions {
-            workgroup_size,
+            workgroup_size: trial.workgroup_size(),
             checked: true,
+            off: &trial.off(),
             mutate: Some(&mutate),
-            ..CompileOptions::default()
         },
     )
 }

@@ -184,7 +184,7 @@ fn every_change_of_a_probed_library_is_seen() {
 fn probe_sites(probe: &ProbeKernel) -> Vec<Site> {
     let wanted =
         |library: Option<&str>| library.is_some_and(|library| probe.libraries.contains(&library));
-    sites::of_kernel(&|options| probe.compile(options), &wanted)
+    sites::of_kernel(&|options| probe.compile(options), &[], &wanted)
 }
 
 #[test]

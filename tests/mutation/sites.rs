@@ -6,15 +6,16 @@ use std::collections::HashMap;
 
 use motes::gpu::shader::{self, CompileOptions, CompiledKernel, ShaderError};
 use naga::valid::{Capabilities, FunctionInfo, ValidationFlags, Validator};
-use naga::{AtomicFunction, Block, Expression as E, Function, Handle, Module, Statement};
+use naga::{AtomicFunction, Block, Expression as E, Function, Handle, Module, Span, Statement};
 
 use crate::changes::{changes, literals, value};
 use crate::printed::Printer;
 
 /// Which body a site is in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 enum Body {
-    Constant,
+    /// Of the module, by name: a number that two constants have is one expression, or two.
+    Constant(String),
     Function(Handle<Function>),
     EntryPoint,
 }
@@ -46,13 +47,19 @@ pub(crate) struct Site {
 /// Compiles a kernel.
 pub(crate) type Compile<'a> = &'a dyn Fn(&CompileOptions) -> Result<CompiledKernel, ShaderError>;
 
-/// Every change to what a kernel has from the libraries that `wanted` approves of.
-pub(crate) fn of_kernel(compile: Compile, wanted: &dyn Fn(Option<&str>) -> bool) -> Vec<Site> {
+/// Every change to what a kernel, compiled without the switches `off`, has from the libraries that
+/// `wanted` approves of.
+pub(crate) fn of_kernel(
+    compile: Compile,
+    off: &[&'static str],
+    wanted: &dyn Fn(Option<&str>) -> bool,
+) -> Vec<Site> {
     let found = RefCell::new(Vec::new());
     // A look at the module as it is when changes are made.
     let look = |module: &mut Module| *found.borrow_mut() = sites(module, wanted);
     compile(&CompileOptions {
         mutate: Some(&look),
+        off,
         ..CompileOptions::default()
     })
     .expect("the kernel compiles");
@@ -83,7 +90,7 @@ fn sites(module: &Module, wanted: &dyn Fn(Option<&str>) -> bool) -> Vec<Site> {
                 sites.push(Site {
                     description: format!("const {name}: {} -> {}", value(literal), value(to)),
                     occurrence: 0,
-                    body: Body::Constant,
+                    body: Body::Constant(constant.name.clone().unwrap_or_default()),
                     change: Change::Expression(constant.init, E::Literal(to)),
                 });
             }
@@ -136,7 +143,7 @@ fn collect(
             sites.push(Site {
                 description,
                 occurrence: 0,
-                body,
+                body: body.clone(),
                 change: Change::Expression(handle, to),
             });
         }
@@ -147,7 +154,7 @@ fn collect(
             sites.push(Site {
                 description: format!("{name}: {what}"),
                 occurrence: 0,
-                body,
+                body: body.clone(),
                 change,
             });
         };
@@ -270,14 +277,14 @@ impl Site {
 
     /// Makes the change.
     pub(crate) fn apply(&self, module: &mut Module) {
-        let function = match self.body {
-            Body::Constant => {
-                if let Change::Expression(handle, to) = &self.change {
-                    module.global_expressions[*handle] = to.clone();
+        let function = match &self.body {
+            Body::Constant(name) => {
+                if let Change::Expression(_, to) = &self.change {
+                    set_constant(module, name, to);
                 }
                 return;
             }
-            Body::Function(handle) => &mut module.functions[handle],
+            Body::Function(handle) => &mut module.functions[*handle],
             Body::EntryPoint => &mut module.entry_points[0].function,
         };
         let wanted = match &self.change {
@@ -298,4 +305,19 @@ impl Site {
             }
         });
     }
+}
+
+/// Gives the constant of that name a value of its own.
+fn set_constant(module: &mut Module, name: &str, to: &E) {
+    let named = |(_, constant): &(_, &naga::Constant)| constant.name.as_deref() == Some(name);
+    let found = module
+        .constants
+        .iter()
+        .find(named)
+        .map(|(handle, _)| handle);
+    let handle = found.expect("the kernel has the constant in every form");
+    let init = module
+        .global_expressions
+        .append(to.clone(), Span::UNDEFINED);
+    module.constants[handle].init = init;
 }

@@ -82,6 +82,14 @@ impl Trial {
         on_gpu(device, &self.plan, &options)
     }
 
+    /// Switches that the kernels of this run are compiled without.
+    pub(crate) fn off(&self) -> Vec<&'static str> {
+        let switches = self.plan.uses.switches().into_iter();
+        switches
+            .filter_map(|(switch, on)| (!on).then_some(switch))
+            .collect()
+    }
+
     /// Invocations a workgroup.
     pub(crate) fn workgroup_size(&self) -> u32 {
         self.cut.workgroup_size
@@ -233,6 +241,11 @@ pub(crate) fn trials() -> Vec<Trial> {
         let frames = frames_of(&plan, count);
         (plan, frames)
     };
+    let unchanging = |scene: &Scene, count| {
+        let plan = Plan::new(scene, scene.frames).expect("the scene can be planned");
+        let frames = frames_of(&plan, count);
+        (plan, frames)
+    };
     // Pages as small as they can be, and one for all: llvmpipe keeps something of every dispatch
     // that draws on several pages, so those are few.
     const SMALL: u64 = 64 << 10;
@@ -247,10 +260,11 @@ pub(crate) fn trials() -> Vec<Trial> {
             64,
             LARGE,
         ),
+        Trial::new("glaring", unchanging(&glaring(), 6), 64, LARGE),
         // Workgroups that no page is a multiple of, and words of bits without room to spare.
         Trial::new("dropped", turning(&everything_within(2560), 6), 24, SMALL),
         Trial::new("extreme at 65,536", adversarial(1, 65_531, 8), 64, LARGE),
-        Trial::new("extreme at 256", adversarial(2, 252, 8), 64, LARGE),
+        Trial::new("extreme at 256", adversarial(2, 252, 8), 64, SMALL),
         Trial::new("one system", few_systems(1, 1), 64, LARGE),
         Trial::new("one system, turning", few_systems(1, 2), 64, LARGE),
         Trial::new("two systems", few_systems(2, 1), 64, LARGE),

@@ -40,5 +40,5 @@ fn births(@builtin(global_invocation_id) global_id: vec3<u32>) {
     wanted = max_exact(wanted, 0.0f) + max_exact(burst, 0.0f);
     let stochastic = (flags & SYSTEM_STOCHASTIC) != 0u;
     let count = to_i32(wanted + select(0.5f, unit_float(random.y), stochastic));
-    birth_counts[slot] = u32(clamp(count, 0, MOST_BIRTHS));
+    birth_counts[slot] = u32(min(count, MOST_BIRTHS));
 }

@@ -33,7 +33,7 @@ pub fn births_of(system: &SystemFrame, frame: &Frame) -> u32 {
     } else {
         0.5
     };
-    to_i32(wanted + rounding).clamp(0, MOST_BIRTHS) as u32
+    to_i32(wanted + rounding).min(MOST_BIRTHS) as u32
 }
 
 /// Births by system, and the running sum before each with the total at the end.
