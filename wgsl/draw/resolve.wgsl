@@ -3,8 +3,8 @@
 // Reeves 1983, 2.5: red, green and blue are clamped at the frame buffer's maximum.
 // Byte = floor(clamp(v) 255 + 0.5) of the light times the exposure, plus the background.
 // One invocation four pixels, so that loads and stores are of four words; buffers are padded to
-// whole fours, and what is past the picture's end means nothing. Reads: frame, light_low,
-// light_high. Writes: image (RGBA, red in the low byte, rows from the top).
+// whole fours, and what is past the picture's end is written as 0, for the digest. Reads: frame, light_low, light_high. Writes: image
+// (RGBA, red in the low byte, rows from the top).
 // Invariant: each pixel depends on its own sums alone.
 
 #import motes::dispatch::linear_index
@@ -24,7 +24,10 @@ fn byte_of(low: u32, high: u32, background: f32) -> u32 {
     return u32(to_i32(clamp_exact(light, 0.0f, 1.0f) * 255.0f + 0.5f));
 }
 
-fn pixel_of(low: vec3<u32>, high: vec3<u32>) -> u32 {
+fn pixel_of(pixel: u32, low: vec3<u32>, high: vec3<u32>) -> u32 {
+    if pixel >= frame.width * frame.height {
+        return 0u;
+    }
     let red = byte_of(low.x, high.x, frame.background.x);
     let green = byte_of(low.y, high.y, frame.background.y);
     let blue = byte_of(low.z, high.z, frame.background.z);
@@ -34,7 +37,8 @@ fn pixel_of(low: vec3<u32>, high: vec3<u32>) -> u32 {
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn resolve(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let four = linear_index(global_id, WORKGROUP_SIZE);
-    if four * 4u >= frame.width * frame.height {
+    let first = four * 4u;
+    if first >= frame.width * frame.height {
         return;
     }
     let at = four * 3u;
@@ -45,9 +49,9 @@ fn resolve(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let high_b = light_high[at + 1u];
     let high_c = light_high[at + 2u];
     image[four] = vec4<u32>(
-        pixel_of(low_a.xyz, high_a.xyz),
-        pixel_of(vec3<u32>(low_a.w, low_b.xy), vec3<u32>(high_a.w, high_b.xy)),
-        pixel_of(vec3<u32>(low_b.zw, low_c.x), vec3<u32>(high_b.zw, high_c.x)),
-        pixel_of(low_c.yzw, high_c.yzw),
+        pixel_of(first, low_a.xyz, high_a.xyz),
+        pixel_of(first + 1u, vec3<u32>(low_a.w, low_b.xy), vec3<u32>(high_a.w, high_b.xy)),
+        pixel_of(first + 2u, vec3<u32>(low_b.zw, low_c.x), vec3<u32>(high_b.zw, high_c.x)),
+        pixel_of(first + 3u, low_c.yzw, high_c.yzw),
     );
 }
