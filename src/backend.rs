@@ -125,6 +125,15 @@ pub trait Backend {
     /// As [`Backend::run_stage`].
     fn take_statistics(&mut self) -> Result<Vec<FrameStats>, BackendError>;
 
+    /// Puts the living in place of those there are, as words of [`crate::layout::Particle`] in
+    /// storage order, as after the last of the frames `recent`: those whose parameter rows the
+    /// living may have. Statistics that have not been taken are lost. There are at most as many
+    /// particles as the plan has room for, and all are of its systems.
+    ///
+    /// # Errors
+    /// As [`Backend::run_stage`].
+    fn restore(&mut self, particles: &[u32], recent: &[FrameInputs]) -> Result<(), BackendError>;
+
     /// The stage as it would run now, with everything that it reads; `None` on a backend that has
     /// no kernels. Everything before it in the frame must have run.
     ///

@@ -6,7 +6,9 @@ use motes::gpu::GpuOptions;
 use motes::plan::{Plan, Turn};
 use motes::recording::{Checkpoint, Recording};
 use motes::scene::{self, Scene};
-use motes::simulation::{AdapterChoice, Options, ParticleState, Simulation};
+use motes::simulation::{
+    AdapterChoice, Options, ParticleState, Simulation, SimulationError, Snapshot, SnapshotError,
+};
 
 const SCENE: &str = r#"
 frames = 30
@@ -126,6 +128,114 @@ fn a_recording_replays_exactly_on_every_backend_and_from_any_frame() {
     entered.seek(25).expect("it runs");
     assert_eq!(whole.state_digest(), entered.state_digest());
     assert_eq!(whole.particles(), entered.particles());
+}
+
+/// A run that may drop births, whose particles live without limit, and whose rows change: nothing
+/// but its whole past, or a snapshot, tells its state.
+fn endless() -> (Scene, Vec<Turn>) {
+    let mut scene = base();
+    scene.capacity = Some(500);
+    scene.systems[0].lifetime = None;
+    let mut brighter = scene.clone();
+    brighter.systems[0].speed.mean = 0.2;
+    brighter.systems[0].color.initial.mean = [0.01, 0.9, 0.2];
+    let turns = vec![Turn {
+        frame: 5,
+        scene: brighter,
+    }];
+    (scene, turns)
+}
+
+#[test]
+fn a_snapshot_goes_on_with_the_same_bits_on_every_adapter() {
+    let (scene, turns) = endless();
+    let on = |adapter: AdapterChoice| {
+        let gpu = GpuOptions {
+            page_bytes: 64 << 10,
+            ..GpuOptions::default()
+        };
+        let turns = turns.clone();
+        let options = Options {
+            adapter,
+            turns,
+            gpu,
+            ..Options::default()
+        };
+        Simulation::new(&scene, &options).expect("it fits")
+    };
+    let end_of = |mut run: Simulation| {
+        run.seek_from(0, 20).expect("it runs");
+        run.draw().expect("it draws");
+        let digests = (run.state_digest(), run.image_digest(), run.particles());
+        let last = run.take_statistics().expect("it counts").last().copied();
+        (digests, last)
+    };
+    let expected = end_of(on(AdapterChoice::Cpu));
+    let dropped = expected.1.map(|line| line.dropped);
+    assert!(dropped.is_some_and(|dropped| dropped > 0), "{expected:?}");
+    let adapters = common::adapters().into_iter().map(AdapterChoice::Named);
+    let adapters: Vec<_> = adapters.chain([AdapterChoice::Cpu]).collect();
+    for from in &adapters {
+        let mut run = on(from.clone());
+        assert_eq!(run.snapshot().expect("nothing yet"), None);
+        run.seek_from(0, 8).expect("it runs");
+        let snapshot = run.snapshot().expect("it reads").expect("a frame");
+        assert_eq!((snapshot.frame(), snapshot.live()), (8, 360));
+        let bytes = snapshot.to_bytes();
+        assert_eq!(bytes.len(), 28 + 32 * 360);
+        let read = Snapshot::from_bytes(&bytes).expect("what was written");
+        assert_eq!(read, snapshot);
+        for to in &adapters {
+            let mut entered = on(to.clone());
+            // Whatever it did before is forgotten.
+            entered.seek_from(0, 3).expect("it runs");
+            entered.restore(&read).expect("it fits");
+            assert_eq!(end_of(entered), expected, "from {from:?} to {to:?}");
+        }
+    }
+}
+
+#[test]
+fn a_damaged_or_foreign_snapshot_is_refused() {
+    let (scene, _) = endless();
+    let options = |adapter| Options {
+        adapter,
+        ..Options::default()
+    };
+    let mut run = Simulation::new(&scene, &options(AdapterChoice::Cpu)).expect("it fits");
+    run.seek(11).expect("it runs");
+    let snapshot = run.snapshot().expect("it reads").expect("a frame");
+    let bytes = snapshot.to_bytes();
+    let read = |bytes: &[u8]| Snapshot::from_bytes(bytes).map(|_| ());
+    assert_eq!(read(&bytes), Ok(()));
+    for at in [9, 13, 17, 30, bytes.len() / 2, bytes.len() - 1] {
+        let mut damaged = bytes.clone();
+        damaged[at] ^= 4;
+        assert_eq!(read(&damaged), Err(SnapshotError::Damaged), "byte {at}");
+    }
+    for end in [8, 12, 27, bytes.len() - 32, bytes.len() - 1] {
+        assert_eq!(read(&bytes[..end]), Err(SnapshotError::Damaged), "{end}");
+    }
+    let longer = [&bytes[..], &[0; 4]].concat();
+    assert_eq!(read(&longer), Err(SnapshotError::Damaged));
+    for other in [&b""[..], &b"motes-s\x02"[..], &[0xff; 99]] {
+        assert_eq!(read(other), Err(SnapshotError::NotASnapshot));
+    }
+    let smaller = Scene {
+        capacity: Some(100),
+        ..base()
+    };
+    let mut two = base();
+    two.systems.push(two.systems[0].clone());
+    two.systems[1].name = "second".into();
+    for other in [smaller, two] {
+        let mut run = Simulation::new(&other, &options(AdapterChoice::Cpu)).expect("it fits");
+        let refused = run.restore(&snapshot);
+        assert_eq!(
+            refused,
+            Err(SimulationError::Snapshot(SnapshotError::OfAnotherRun))
+        );
+    }
 }
 
 #[test]

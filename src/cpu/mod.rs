@@ -114,11 +114,15 @@ impl CpuBackend {
         Ok(())
     }
 
-    fn births(&mut self, inputs: &FrameInputs) {
+    fn keep_rows(&mut self, inputs: &FrameInputs) {
         for (slot, row) in inputs.rows.iter().enumerate() {
             let at = row_index(slot as u32, inputs.frame.frame, inputs.frame.row_mask);
             self.rows[at] = *row;
         }
+    }
+
+    fn births(&mut self, inputs: &FrameInputs) {
+        self.keep_rows(inputs);
         self.deaths = [0; 2];
         (self.birth_counts, self.birth_offsets) = systems::births::births(inputs);
         let requested = self.birth_offsets.last().copied().unwrap_or(0);
@@ -287,6 +291,21 @@ impl Backend for CpuBackend {
 
     fn take_statistics(&mut self) -> Result<Vec<FrameStats>, BackendError> {
         Ok(std::mem::take(&mut self.statistics))
+    }
+
+    fn restore(&mut self, particles: &[u32], recent: &[FrameInputs]) -> Result<(), BackendError> {
+        recent.iter().for_each(|inputs| self.keep_rows(inputs));
+        let live = particles.len() * 4 / size_of::<Particle>();
+        self.particles.clear();
+        grow(&mut self.particles, live)?;
+        bytemuck::cast_slice_mut(&mut self.particles).copy_from_slice(particles);
+        self.counts = Counts {
+            live: live as u32,
+            total: live as u32,
+            ..Counts::default()
+        };
+        self.statistics.clear();
+        Ok(())
     }
 
     fn state_digest(&mut self) -> Result<u64, BackendError> {

@@ -13,6 +13,7 @@ mod probe;
 mod raw;
 mod readback;
 mod record;
+mod restore;
 mod run;
 pub mod shader;
 mod timing;
@@ -245,6 +246,10 @@ impl Backend for GpuBackend {
 
     fn take_statistics(&mut self) -> Result<Vec<FrameStats>, BackendError> {
         self.ring.take(&self.gpu, &self.memory)
+    }
+
+    fn restore(&mut self, particles: &[u32], recent: &[FrameInputs]) -> Result<(), BackendError> {
+        self.put(particles, recent)
     }
 
     fn record_stage(

@@ -1,5 +1,6 @@
 //! Why a simulation could not begin or go on.
 
+use super::SnapshotError;
 use crate::backend::BackendError;
 use crate::plan::PlanError;
 
@@ -17,6 +18,8 @@ pub enum SimulationError {
     },
     /// The machine failed.
     Backend(BackendError),
+    /// A snapshot cannot be gone on from.
+    Snapshot(SnapshotError),
 }
 
 impl SimulationError {
@@ -31,6 +34,7 @@ impl std::fmt::Display for SimulationError {
         match self {
             Self::Plan(e) => e.fmt(f),
             Self::Backend(e) => e.fmt(f),
+            Self::Snapshot(e) => write!(f, "error: {e}\n  = help: begin without it"),
             Self::NoAdapter { wanted, available } => write!(
                 f,
                 "error: no adapter's name or driver contains `{wanted}`\n  = help: there are {}",

@@ -2,9 +2,11 @@
 
 mod error;
 mod lines;
+mod snapshot;
 
 pub use error::SimulationError;
 pub use lines::Line;
+pub use snapshot::{Snapshot, SnapshotError};
 
 use crate::backend::Backend;
 use crate::cpu::CpuBackend;
@@ -209,9 +211,7 @@ impl Simulation {
     /// # Errors
     /// The machine fails.
     pub fn seek_from(&mut self, first: i32, frame: u32) -> Result<(), SimulationError> {
-        if self.inputs.is_none() {
-            self.next_frame = first;
-        }
+        self.begin_at(first);
         while i64::from(self.next_frame) <= i64::from(frame) {
             self.step()?;
         }

@@ -336,7 +336,7 @@ strength = 0.5
 [[system]]
 name = "squares"
 rotation_degrees = [10, 0]
-initial_mean_parts = 40
+initial_mean_parts = 90
 generation_shape = { kind = "rectangle", length = 4.5, width = 3.4 }
 speed = 0
 lifetime = 3
@@ -357,4 +357,26 @@ size = { mean = 0.05, var = 0.04 }
 particle_shape = "streak"
 "#,
     )
+}
+
+/// [`large_shapes`] behind more small particles, born before them, than a page of 64 KiB holds.
+pub(crate) fn large_shapes_in_a_second_page() -> Scene {
+    let mut scene = large_shapes(62, 47);
+    let mut dust = scene_of(
+        r#"
+[camera]
+position = [0, 0, 5]
+target = [0, 0, 0]
+[[system]]
+name = "dust"
+initial_mean_parts = 2100
+generation_shape = { kind = "sphere", radius = 2 }
+speed = 0
+lifetime = 1
+color = [0.01, 0.01, 0.01]
+size = 0.001
+"#,
+    );
+    scene.systems.splice(0..0, dust.systems.drain(..));
+    scene
 }

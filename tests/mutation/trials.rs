@@ -261,10 +261,16 @@ pub(crate) fn trials() -> Vec<Trial> {
             LARGE,
         ),
         Trial::new("glaring", unchanging(&glaring(), 6), 64, LARGE),
+        Trial::new(
+            "large in a second page",
+            unchanging(&large_shapes_in_a_second_page(), 2),
+            64,
+            SMALL,
+        ),
         // Workgroups that no page is a multiple of, and words of bits without room to spare.
         Trial::new("dropped", turning(&everything_within(2560), 6), 24, SMALL),
         Trial::new("extreme at 65,536", adversarial(1, 65_531, 8), 64, LARGE),
-        Trial::new("extreme at 256", adversarial(2, 252, 8), 64, SMALL),
+        Trial::new("extreme at 256", adversarial(2, 252, 8), 64, LARGE),
         Trial::new("one system", few_systems(1, 1), 64, LARGE),
         Trial::new("one system, turning", few_systems(1, 2), 64, LARGE),
         Trial::new("two systems", few_systems(2, 1), 64, LARGE),

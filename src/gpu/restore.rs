@@ -1,0 +1,44 @@
+//! A run's state put onto the device.
+
+use super::{GpuBackend, StatisticsRing};
+use crate::backend::BackendError;
+use crate::layout::Counts;
+use crate::plan::FrameInputs;
+
+/// Words of a particle.
+const PARTICLE_WORDS: usize = size_of::<crate::layout::Particle>() / 4;
+
+impl GpuBackend {
+    /// See [`crate::backend::Backend::restore`].
+    pub(super) fn put(
+        &mut self,
+        particles: &[u32],
+        recent: &[FrameInputs],
+    ) -> Result<(), BackendError> {
+        for inputs in recent {
+            self.upload(inputs)?;
+            // What is written waits in staging memory for the next submission.
+            self.gpu.queue.submit([]);
+        }
+        let page_words = self.memory.paging.page_len as usize * PARTICLE_WORDS;
+        let pages = &self.memory.pools[self.current];
+        for (page, words) in pages.iter().zip(particles.chunks(page_words)) {
+            let queue = &self.gpu.queue;
+            queue.write_buffer(page, 0, bytemuck::cast_slice(words));
+            queue.submit([]);
+        }
+        let live = (particles.len() / PARTICLE_WORDS) as u32;
+        let counts = Counts {
+            live,
+            total: live,
+            ..Counts::default()
+        };
+        let buffer = self.memory.named("counts")?;
+        let queue = &self.gpu.queue;
+        queue.write_buffer(buffer, 0, bytemuck::bytes_of(&counts));
+        queue.submit([]);
+        self.newborns_present = false;
+        self.ring = StatisticsRing::default();
+        self.gpu.wait()
+    }
+}

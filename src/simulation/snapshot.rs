@@ -1,0 +1,172 @@
+//! A run's whole state, to go on from without stepping again what led to it.
+//!
+//! Most runs need none: whoever is alive was born at most a lifetime ago, so a run can be entered
+//! anywhere from one lifetime before. Where particles live without limit, or births are dropped for
+//! want of room, the whole past counts, and a snapshot stands for it.
+
+use super::{Simulation, SimulationError};
+use crate::cpu::digest;
+use crate::layout::Particle;
+
+/// What the bytes of a snapshot begin with; the last is the version of what follows.
+const MAGIC: &[u8; 8] = b"motes-s\x01";
+
+/// Bytes before the particles: magic, frame, systems, number of particles.
+const HEAD: usize = 20;
+
+/// Words of a particle.
+const PARTICLE_WORDS: usize = size_of::<Particle>() / 4;
+
+/// The living after some frame, as they are stored.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Snapshot {
+    frame: i32,
+    system_count: u32,
+    words: Vec<u32>,
+}
+
+/// Why bytes are no snapshot, or not one of that run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SnapshotError {
+    /// They do not begin as a snapshot does, or as one of another version.
+    NotASnapshot,
+    /// They end too early or too late, or have been changed.
+    Damaged,
+    /// The run has other systems, fewer places, or begins later.
+    OfAnotherRun,
+}
+
+impl std::fmt::Display for SnapshotError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::NotASnapshot => "this is no snapshot of this version of Motes",
+            Self::Damaged => "the snapshot is damaged",
+            Self::OfAnotherRun => "the snapshot is of another run",
+        })
+    }
+}
+
+impl std::error::Error for SnapshotError {}
+
+impl Snapshot {
+    /// The last frame that had been stepped; below 0 in what comes before a scene's beginning.
+    pub fn frame(&self) -> i32 {
+        self.frame
+    }
+
+    /// How many particles were alive.
+    pub fn live(&self) -> u32 {
+        (self.words.len() / PARTICLE_WORDS) as u32
+    }
+
+    /// The bytes that [`Snapshot::from_bytes`] reads, the same on every machine: 28, and 32
+    /// for each particle.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let mut bytes = Vec::with_capacity(HEAD + self.words.len() * 4 + 8);
+        bytes.extend(MAGIC);
+        bytes.extend(self.frame.to_le_bytes());
+        bytes.extend(self.system_count.to_le_bytes());
+        bytes.extend(self.live().to_le_bytes());
+        bytes.extend(self.words.iter().flat_map(|word| word.to_le_bytes()));
+        let seal = seal(&bytes[MAGIC.len()..]);
+        bytes.extend(seal.to_le_bytes());
+        bytes
+    }
+
+    /// Reads what [`Snapshot::to_bytes`] wrote.
+    ///
+    /// # Errors
+    /// [`SnapshotError::NotASnapshot`], [`SnapshotError::Damaged`].
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, SnapshotError> {
+        let rest = bytes
+            .strip_prefix(MAGIC)
+            .ok_or(SnapshotError::NotASnapshot)?;
+        let (body, found) = rest.split_last_chunk::<8>().ok_or(SnapshotError::Damaged)?;
+        let (words, odd) = body.as_chunks::<4>();
+        if !odd.is_empty() || u64::from_le_bytes(*found) != seal(body) {
+            return Err(SnapshotError::Damaged);
+        }
+        let words: Vec<u32> = words.iter().map(|word| u32::from_le_bytes(*word)).collect();
+        match words.as_slice() {
+            [frame, system_count, live, particles @ ..]
+                if particles.len() == *live as usize * PARTICLE_WORDS =>
+            {
+                Ok(Self {
+                    frame: frame.cast_signed(),
+                    system_count: *system_count,
+                    words: particles.to_vec(),
+                })
+            }
+            _ => Err(SnapshotError::Damaged),
+        }
+    }
+}
+
+/// What tells changed bytes from unchanged ones.
+fn seal(bytes: &[u8]) -> u64 {
+    let word = |four: &[u8]| {
+        let mut word = [0; 4];
+        word[..four.len()].copy_from_slice(four);
+        u32::from_le_bytes(word)
+    };
+    let words: Vec<u32> = bytes.chunks(4).map(word).collect();
+    digest(&words, 1)
+}
+
+impl Simulation {
+    /// The state after the last frame stepped; `None` before the first.
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn snapshot(&mut self) -> Result<Option<Snapshot>, SimulationError> {
+        let Some(inputs) = &self.inputs else {
+            return Ok(None);
+        };
+        let frame = inputs.frame.frame.cast_signed();
+        Ok(Some(Snapshot {
+            frame,
+            system_count: self.plan.system_count,
+            words: self.backend.read("particles")?,
+        }))
+    }
+
+    /// Goes on from a snapshot of a run of the same scene, seed and changes, on whichever adapter:
+    /// as if all of it had been stepped here. For runs whose inputs are the plan's own.
+    ///
+    /// # Errors
+    /// [`SimulationError::Snapshot`] where it is of another run, as far as can be told; the machine
+    /// fails.
+    pub fn restore(&mut self, snapshot: &Snapshot) -> Result<(), SimulationError> {
+        let plan = &self.plan;
+        let (particles, _) = snapshot.words.as_chunks::<PARTICLE_WORDS>();
+        let is_of_plan = |particle: &[u32; PARTICLE_WORDS]| {
+            let [.., birth] = particle;
+            birth >> 16 < plan.system_count
+        };
+        let fits = snapshot.system_count == plan.system_count
+            && snapshot.live() <= plan.capacity
+            && snapshot.frame >= plan.first_frame
+            && particles.iter().all(is_of_plan);
+        if !fits {
+            return Err(SimulationError::Snapshot(SnapshotError::OfAnotherRun));
+        }
+        let frames = i64::from(plan.row_count);
+        let earliest = (i64::from(snapshot.frame) - frames + 1).max(plan.first_frame.into()) as i32;
+        let recent: Vec<_> = (earliest..=snapshot.frame)
+            .map(|frame| plan.inputs(frame.cast_unsigned()))
+            .collect();
+        self.backend.restore(&snapshot.words, &recent)?;
+        self.inputs = recent.into_iter().last();
+        self.next_frame = snapshot.frame + 1;
+        Ok(())
+    }
+
+    /// Sets the first frame of a run that has not begun: it starts there, empty. Says nothing to one
+    /// that has.
+    pub fn begin_at(&mut self, first: i32) {
+        if self.inputs.is_none() {
+            self.next_frame = first;
+        }
+    }
+}
