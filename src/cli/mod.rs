@@ -156,12 +156,12 @@ pub fn main() -> u8 {
 }
 
 /// Progress with rate and time left on a terminal, nothing in a pipe.
-pub(crate) fn progress_bar(frames: u32) -> ProgressBar {
+pub(crate) fn progress_bar(frames: u64) -> ProgressBar {
     if !std::io::stderr().is_terminal() {
         return ProgressBar::hidden();
     }
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} frames, {per_sec}, {eta} left");
-    let bar = ProgressBar::new(u64::from(frames));
+    let bar = ProgressBar::new(frames);
     match style {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,

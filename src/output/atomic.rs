@@ -126,7 +126,7 @@ impl Drop for AtomicFile {
 }
 
 /// Creates a folder with all that are missing above it; no error where it exists.
-pub(super) fn create_folder(folder: &Path) -> Result<(), OutputError> {
+pub(crate) fn create_folder(folder: &Path) -> Result<(), OutputError> {
     fs::create_dir_all(folder).map_err(|error| OutputError::io(folder, "create the folder", error))
 }
 

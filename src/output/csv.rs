@@ -79,12 +79,32 @@ impl StatsWriter {
     /// # Errors
     /// The machine's fault: it cannot be written.
     pub fn row(&mut self, row: &StatsRow<'_>) -> Result<(), OutputError> {
+        self.line(&row.to_line())
+    }
+
+    /// Puts the file in its place.
+    ///
+    /// # Errors
+    /// The machine's fault: it cannot be written or renamed.
+    pub fn finish(self) -> Result<(), OutputError> {
+        self.file.commit()
+    }
+
+    /// Adds a line that [`StatsRow::to_line`] made.
+    pub(crate) fn line(&mut self, line: &str) -> Result<(), OutputError> {
+        writeln!(self.file, "{line}").map_err(|error| self.file.error(error))
+    }
+}
+
+impl StatsRow<'_> {
+    /// The row as it stands in the file, without a line feed.
+    pub fn to_line(&self) -> String {
         let StatsRow {
             frame,
             population,
             measured,
             digest,
-        } = *row;
+        } = *self;
         let population = quoted(population);
         let (measured, causes) = match measured {
             Measured::Particles(counts) => {
@@ -106,21 +126,7 @@ impl StatsWriter {
             Measured::Image => ("image,,,,,".to_owned(), ",,".to_owned()),
         };
         let digest = digest.map_or(String::new(), |digest| format!("{digest:016x}"));
-        self.line(&format!(
-            "{frame},{population},{measured},{digest},{causes}"
-        ))
-    }
-
-    /// Puts the file in its place.
-    ///
-    /// # Errors
-    /// The machine's fault: it cannot be written or renamed.
-    pub fn finish(self) -> Result<(), OutputError> {
-        self.file.commit()
-    }
-
-    fn line(&mut self, line: &str) -> Result<(), OutputError> {
-        writeln!(self.file, "{line}").map_err(|error| self.file.error(error))
+        format!("{frame},{population},{measured},{digest},{causes}")
     }
 }
 

@@ -45,7 +45,7 @@ impl OutputError {
     }
 
     /// An error of the file system while doing `attempt` ("create the folder", "write") with `path`.
-    pub(super) fn io(path: &Path, attempt: &str, error: io::Error) -> Self {
+    pub(crate) fn io(path: &Path, attempt: &str, error: io::Error) -> Self {
         let (is_users_fault, advice) = judge(error.kind());
         Self {
             path: path.to_owned(),

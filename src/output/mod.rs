@@ -28,10 +28,12 @@ mod sink;
 mod svg;
 mod target;
 
+pub(crate) use atomic::create_folder;
 pub use csv::{Measured, ParticleCounts, StatsRow, StatsWriter};
 pub use error::OutputError;
 pub(crate) use folder::{AtomicFolder, write_whole};
 pub use ply::{ParticleRecord, dump_path, write_particles};
+pub(crate) use png::read_png;
 pub use png::write_png;
 pub use sink::{FrameSink, Written};
 pub use svg::{Drawing, write_svg};

@@ -1,10 +1,11 @@
 //! One picture as a PNG: RGB where every pixel is opaque, else RGBA; 8 bits a channel, no ancillary chunks, so that equal
 //! pictures are equal files.
 
-use std::io::{self, Write};
+use std::fs::File;
+use std::io::{self, BufReader, Write};
 use std::path::Path;
 
-use ::png::{BitDepth, ColorType, Compression, Encoder, EncodingError};
+use ::png::{BitDepth, ColorType, Compression, Decoder, DecodingError, Encoder, EncodingError};
 
 use super::atomic::AtomicFile;
 use super::{OutputError, Rgba8Image};
@@ -31,6 +32,40 @@ pub fn write_png(path: &Path, image: &Rgba8Image) -> Result<(), OutputError> {
     let encoded = encode(&mut file, image);
     encoded.map_err(|error| file.error(error))?;
     file.commit()
+}
+
+/// Reads a picture that [`write_png`] wrote.
+pub(crate) fn read_png(path: &Path) -> Result<Rgba8Image, OutputError> {
+    let failed = |error: io::Error| OutputError::io(path, "read", error);
+    let file = BufReader::new(File::open(path).map_err(failed)?);
+    let decode = || {
+        let mut reader = Decoder::new(file).read_info()?;
+        let mut bytes = vec![0; reader.output_buffer_size().unwrap_or(0)];
+        let info = reader.next_frame(&mut bytes)?;
+        bytes.truncate(info.buffer_size());
+        Ok((info, bytes))
+    };
+    let (info, bytes) = decode().map_err(|error: DecodingError| failed(error.into()))?;
+    let pixels = match info.color_type {
+        ColorType::Rgba => bytes,
+        _ => {
+            let (pixels, _) = bytes.as_chunks::<3>();
+            pixels
+                .iter()
+                .flat_map(|&[r, g, b]| [r, g, b, 255])
+                .collect()
+        }
+    };
+    let image = Rgba8Image {
+        width: info.width,
+        height: info.height,
+        pixels,
+    };
+    if image.is_consistent() {
+        Ok(image)
+    } else {
+        Err(failed(io::ErrorKind::InvalidData.into()))
+    }
 }
 
 fn encode(file: impl Write, image: &Rgba8Image) -> io::Result<()> {

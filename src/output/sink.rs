@@ -115,6 +115,11 @@ impl FrameSink {
         })
     }
 
+    /// Whether all frames go into one file, which is nothing before the last.
+    pub fn is_animation(&self) -> bool {
+        matches!(self.writer, Writer::Gif(_))
+    }
+
     /// Writes the next frame. `frame_number` names its file; an animation takes frames in the order of the calls.
     ///
     /// # Errors

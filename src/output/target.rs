@@ -129,6 +129,42 @@ impl OutputTarget {
         }
     }
 
+    /// The file of a frame; `None` where frames share one.
+    pub fn frame_path(&self, frame_number: u32) -> Option<PathBuf> {
+        match self {
+            Self::Folder(folder) => Some(FramePattern::in_folder(folder).path(frame_number)),
+            Self::Pattern(pattern) => Some(pattern.path(frame_number)),
+            Self::Png(path) | Self::Svg(path) => Some(path.clone()),
+            Self::Gif(_) => None,
+        }
+    }
+
+    /// The folder that files go to, and the name that they have there, with `%04d` or its kind for
+    /// the number of a frame.
+    pub(crate) fn folder_and_name(&self) -> (PathBuf, String) {
+        let of_pattern = |pattern: &FramePattern| {
+            let FramePattern {
+                before,
+                digits,
+                after,
+                ..
+            } = pattern;
+            (
+                pattern.folder().to_owned(),
+                format!("{before}%0{digits}d{after}"),
+            )
+        };
+        match self {
+            Self::Folder(folder) => of_pattern(&FramePattern::in_folder(folder)),
+            Self::Pattern(pattern) => of_pattern(pattern),
+            Self::Png(path) | Self::Gif(path) | Self::Svg(path) => {
+                let name = path.file_name().unwrap_or_default();
+                let folder = path.parent().unwrap_or(Path::new(""));
+                (folder.to_owned(), name.to_string_lossy().into_owned())
+            }
+        }
+    }
+
     /// The file of a frame's layer, beside the frame's own: `name-LAYER.png`; `None` where frames
     /// have no PNG of their own.
     pub fn layer_path(&self, frame_number: u32, layer: &str) -> Option<PathBuf> {

@@ -5,6 +5,7 @@
 mod readme;
 mod refused;
 mod render;
+mod resume;
 mod streams;
 mod unwritable;
 

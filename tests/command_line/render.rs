@@ -75,7 +75,9 @@ fn a_pattern_names_the_frames() {
     let here = Workshop::new();
     let ended = here.render(&["-o", "new/s-%02d.png", "--frames", "8..10"]);
     assert!(
-        ended.stderr.ends_with("motes: wrote new/s-%02d.png\n"),
+        ended
+            .stderr
+            .contains("motes: wrote new/s-%02d.png: 2 frames of 32x18 pixels in "),
         "{}",
         ended.stderr
     );

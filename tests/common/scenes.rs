@@ -198,6 +198,7 @@ color = { mean = [0.01, 0.012, 0.02], var = [0.01, 0.01, 0.02], rate = [-0.001, 
 size = { mean = 0.000002, var = 0.02 }
 acceleration = [-0.002, 0, 0.001]
 intensity_threshold = 0.008
+intensity = "luminance"
 "#;
 
 /// A scene from its text.
@@ -316,8 +317,8 @@ pub(crate) fn large_shapes(width: u32, height: u32) -> Scene {
 }
 
 /// Light so bright that only a long sum of it is told apart, in squares that lie across each other
-/// and in streaks that begin and end inside and outside of every edge, in a picture whose pixels
-/// are no multiple of four; and a wind of one part.
+/// and in streaks that begin and end inside and outside of every edge or hardly move, in a picture whose
+/// pixels are no multiple of four; and a wind of one part.
 pub(crate) fn glaring() -> Scene {
     scene_of(
         r#"
@@ -354,6 +355,15 @@ drag = 0.2
 lifetime = 2
 color = { mean = [500, 600, 700], var = [400, 300, 200] }
 size = { mean = 0.05, var = 0.04 }
+particle_shape = "streak"
+[[system]]
+name = "creeping"
+initial_mean_parts = 60
+generation_shape = { kind = "sphere", radius = 1.5 }
+speed = { mean = 0.0003, var = 0.0003 }
+lifetime = 2
+color = [300, 200, 250]
+size = 0.02
 particle_shape = "streak"
 "#,
     )

@@ -115,7 +115,7 @@ impl<'a> Bench<'a> {
         // On the first adapter of those to test.
         let device = self.device.get_or_insert_with(|| open_anew(&adapters()[0]));
         for (trial, run) in self.trials.iter().zip(&mut self.runs) {
-            let off = trial.off();
+            let off = trial.off(None);
             let mut kernels = Vec::new();
             for &kernel in &file.kernels {
                 let places = self.places.entry((kernel, off.clone()));
@@ -169,18 +169,20 @@ fn compile(
     trial: &Trial,
     site: Option<&Site>,
 ) -> Result<CompiledKernel, ShaderError> {
+    let switched_off = site.and_then(Site::switched_off);
     let mutate = |module: &mut naga::Module| {
-        if let Some(site) = site {
+        if let Some(site) = site.filter(|_| switched_off.is_none()) {
             site.apply(module);
         }
         bound_loops(module, MOST_ROUNDS);
     };
+    let off = trial.off(switched_off);
     shader::compile(
         kernel,
         &CompileOptions {
             workgroup_size: trial.workgroup_size(),
             checked: true,
-            off: &trial.off(),
+            off: &off,
             mutate: Some(&mutate),
         },
     )

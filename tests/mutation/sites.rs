@@ -6,7 +6,9 @@ use std::collections::HashMap;
 
 use motes::gpu::shader::{self, CompileOptions, CompiledKernel, ShaderError};
 use naga::valid::{Capabilities, FunctionInfo, ValidationFlags, Validator};
-use naga::{AtomicFunction, Block, Expression as E, Function, Handle, Module, Span, Statement};
+use naga::{
+    AtomicFunction, Block, Expression as E, Function, Handle, Literal, Module, Span, Statement,
+};
 
 use crate::changes::{changes, literals, value};
 use crate::printed::Printer;
@@ -273,6 +275,16 @@ impl Site {
     /// What tells it from all others of its file, in whichever kernel.
     pub(crate) fn key(&self) -> (String, usize) {
         (self.description.clone(), self.occurrence)
+    }
+
+    /// The switch that the change turns off: the compiler's affair, for it folds switches away.
+    pub(crate) fn switched_off(&self) -> Option<&str> {
+        match (&self.body, &self.change) {
+            (Body::Constant(name), Change::Expression(_, E::Literal(Literal::Bool(false)))) => {
+                Some(shader::origin(name).1)
+            }
+            _ => None,
+        }
     }
 
     /// Makes the change.

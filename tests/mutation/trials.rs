@@ -82,11 +82,11 @@ impl Trial {
         on_gpu(device, &self.plan, &options)
     }
 
-    /// Switches that the kernels of this run are compiled without.
-    pub(crate) fn off(&self) -> Vec<&'static str> {
+    /// Switches that the kernels of this run are compiled without, and one more.
+    pub(crate) fn off(&self, also: Option<&str>) -> Vec<&'static str> {
         let switches = self.plan.uses.switches().into_iter();
         switches
-            .filter_map(|(switch, on)| (!on).then_some(switch))
+            .filter_map(|(switch, on)| (!on || also == Some(switch)).then_some(switch))
             .collect()
     }
 

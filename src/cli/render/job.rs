@@ -1,9 +1,11 @@
 //! What is written while frames go by.
 
-use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
+use super::interrupt::Interrupt;
+use super::journal::{Finished, Journal};
 use crate::cli::{CliError, progress_bar};
 use crate::layout::FrameStats;
 use crate::output::{
@@ -12,6 +14,13 @@ use crate::output::{
 };
 use crate::scene::Scene;
 use crate::simulation::Simulation;
+
+/// Steps between two looks at the statistics: less than half of their ring, so that none are lost
+/// and the device is seldom waited for.
+const STATISTICS_STEPS: i32 = 100;
+
+/// A snapshot is due when this many times what the last one took have passed, at least.
+const SNAPSHOT_SHARE: u32 = 20;
 
 /// Where the pictures go.
 pub(super) enum Pictures {
@@ -24,46 +33,144 @@ pub(super) enum Pictures {
 /// What is written while frames go by.
 pub(super) struct Job<'a> {
     pub(super) pictures: Pictures,
-    /// The output, if its frames' layers are written beside them.
-    pub(super) layers_beside: Option<&'a OutputTarget>,
+    /// The output.
+    pub(super) target: &'a OutputTarget,
+    /// Names of the layers that are written beside the frames.
+    pub(super) layers: Vec<String>,
     pub(super) stats: Option<StatsWriter>,
     pub(super) dumps: &'a [u32],
     pub(super) dump_dir: &'a Path,
-    pub(super) image_digests: BTreeMap<u32, u64>,
-    pub(super) state_digests: BTreeMap<u32, u64>,
+    pub(super) journal: Option<Journal>,
+    /// Time between two snapshots in the journal.
+    pub(super) snapshot_every: Duration,
+    pub(super) interrupt: &'a Interrupt,
+}
+
+/// What a run came to.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Summary {
+    /// Births left out for want of room.
+    pub(super) dropped: u64,
+    /// Most particles alive after a frame.
+    pub(super) most_live: u32,
+    /// Whether any pixel differed from the others of its picture.
+    pub(super) lit: bool,
+    /// The frame that was next when it was asked to stop, and the exit code for that.
+    pub(super) stopped: Option<(u32, u8)>,
 }
 
 impl Job<'_> {
-    /// Renders the frames; how many births were dropped.
+    /// Renders the frames that are not `finished` yet.
     pub(super) fn run(
         &mut self,
         simulation: &mut Simulation,
         scene: &Scene,
         frames: &Range<u32>,
-    ) -> Result<u64, CliError> {
-        let first = simulation.plan().restart_frame(frames.start);
-        let steps = i64::from(frames.end) - i64::from(first);
-        let progress = progress_bar(steps as u32);
-        let mut dropped = 0;
-        // What is before frame 0 is stepped on the way to it.
-        for frame in first.max(0).cast_unsigned()..frames.end {
-            simulation.seek_from(first, frame)?;
-            if frames.contains(&frame) {
-                self.frame(simulation, scene, frame)?;
+        finished: &Finished,
+    ) -> Result<Summary, CliError> {
+        let mut summary = Summary::default();
+        let next = self.take_over(frames, finished, &mut summary)?;
+        if next == frames.end {
+            return Ok(summary);
+        }
+        let first = self.enter(simulation, next, &mut summary)?;
+        let end = frames.end as i32;
+        let progress = progress_bar((i64::from(end) - i64::from(first)) as u64);
+        let mut snapshot_due = Instant::now() + self.snapshot_every;
+        for frame in first..end {
+            if let Some(code) = self.interrupt.exit_code() {
+                progress.finish_and_clear();
+                summary.stopped = Some((frame.max(next as i32).cast_unsigned(), code));
+                return Ok(summary);
             }
-            // Half of the ring: statistics are never lost, and seldom waited for.
-            if frame % 100 == 99 || frame + 1 == frames.end {
-                let lines = simulation.take_statistics()?;
-                dropped += lines
-                    .iter()
-                    .map(|line| u64::from(line.dropped))
-                    .sum::<u64>();
-                self.write_stats(&lines, frames)?;
+            simulation.step()?;
+            let drawn = frame >= next as i32;
+            if drawn {
+                self.frame(simulation, scene, frame.cast_unsigned(), &mut summary)?;
+            } else if frame % STATISTICS_STEPS == 0 {
+                summary.count(&simulation.take_statistics()?);
             }
-            progress.set_position((i64::from(frame) - i64::from(first) + 1) as u64);
+            if let Some(journal) = &self.journal
+                && snapshot_due <= Instant::now()
+                && let Some(snapshot) = simulation.snapshot()?
+            {
+                let begun = Instant::now();
+                summary.count(&simulation.take_statistics()?);
+                journal.keep_state(&snapshot, summary.dropped)?;
+                let rest = begun.elapsed() * SNAPSHOT_SHARE;
+                snapshot_due = Instant::now() + self.snapshot_every.max(rest);
+            }
+            progress.inc(1);
         }
         progress.finish_and_clear();
-        Ok(dropped)
+        summary.count(&simulation.take_statistics()?);
+        Ok(summary)
+    }
+
+    /// Takes over what a stopped run had finished; the first frame that is left to do.
+    fn take_over(
+        &mut self,
+        frames: &Range<u32>,
+        finished: &Finished,
+        summary: &mut Summary,
+    ) -> Result<u32, CliError> {
+        for frame in frames.clone() {
+            let Some(rows) = finished.frames.get(&frame) else {
+                return Ok(frame);
+            };
+            if !self.files_of(frame).iter().all(|path| path.exists()) {
+                return Ok(frame);
+            }
+            match (&mut self.pictures, &self.journal) {
+                (Pictures::Frames(sink), Some(journal)) if sink.is_animation() => {
+                    let Some(image) = journal.kept(frame) else {
+                        return Ok(frame);
+                    };
+                    summary.lit |= is_lit(&image);
+                    sink.write_frame(frame, &image)?;
+                }
+                _ => summary.lit = true,
+            }
+            if let Some(stats) = &mut self.stats {
+                for row in rows {
+                    stats.line(row)?;
+                }
+            }
+        }
+        Ok(frames.end)
+    }
+
+    /// The files that a frame has to itself.
+    fn files_of(&self, frame: u32) -> Vec<PathBuf> {
+        let layers = self.layers.iter();
+        let layers = layers.filter_map(|layer| self.target.layer_path(frame, layer));
+        let mut files: Vec<PathBuf> = self.target.frame_path(frame).into_iter().collect();
+        files.extend(layers);
+        if self.dumps.contains(&frame) {
+            files.push(dump_path(self.dump_dir, "particles", frame));
+        }
+        files
+    }
+
+    /// Gets the simulation to where frame `next` can be reached from; the first frame to step.
+    fn enter(
+        &self,
+        simulation: &mut Simulation,
+        next: u32,
+        summary: &mut Summary,
+    ) -> Result<i32, CliError> {
+        let first = simulation.plan().restart_frame(next);
+        let kept = self.journal.as_ref().and_then(Journal::state);
+        let useful = kept.filter(|(state, _)| (first..next as i32).contains(&state.frame()));
+        // One that does not fit says nothing: the journal is of this run, so it is only damaged.
+        if let Some((state, dropped)) = useful
+            && simulation.restore(&state).is_ok()
+        {
+            summary.dropped = dropped;
+            return Ok(state.frame() + 1);
+        }
+        simulation.begin_at(first);
+        Ok(first)
     }
 
     fn frame(
@@ -71,21 +178,28 @@ impl Job<'_> {
         simulation: &mut Simulation,
         scene: &Scene,
         frame: u32,
+        summary: &mut Summary,
     ) -> Result<(), CliError> {
-        if let Some(target) = self.layers_beside {
-            for (index, name) in simulation.layer_names().iter().enumerate() {
-                simulation.draw_layer(index)?;
-                let layer = image_of(simulation, scene)?.into_layer();
-                if let Some(path) = target.layer_path(frame, name) {
-                    write_png(&path, &layer)?;
-                }
+        for (index, name) in self.layers.iter().enumerate() {
+            simulation.draw_layer(index)?;
+            let layer = image_of(simulation, scene)?.into_layer();
+            if let Some(path) = self.target.layer_path(frame, name) {
+                write_png(&path, &layer)?;
             }
         }
         simulation.draw()?;
         match &mut self.pictures {
-            Pictures::Frames(sink) => sink.write_frame(frame, &image_of(simulation, scene)?)?,
+            Pictures::Frames(sink) => {
+                let image = image_of(simulation, scene)?;
+                summary.lit |= is_lit(&image);
+                sink.write_frame(frame, &image)?;
+                if let Some(journal) = self.journal.as_ref().filter(|_| sink.is_animation()) {
+                    journal.keep_frame(frame, &image)?;
+                }
+            }
             Pictures::Lines(path) => {
                 let lines = simulation.lines()?;
+                summary.lit |= !lines.is_empty();
                 let seen = simulation.frame_inputs().map(|inputs| inputs.frame);
                 let [red, green, blue, _] = seen.map_or([0.0; 4], |frame| frame.background);
                 let drawing = Drawing {
@@ -97,10 +211,6 @@ impl Job<'_> {
                 };
                 write_svg(path, &drawing)?;
             }
-        }
-        if self.stats.is_some() {
-            self.state_digests.insert(frame, simulation.state_digest()?);
-            self.image_digests.insert(frame, simulation.image_digest()?);
         }
         if self.dumps.contains(&frame) {
             let records: Vec<ParticleRecord> = simulation
@@ -117,38 +227,32 @@ impl Job<'_> {
                 .collect();
             write_particles(&dump_path(self.dump_dir, "particles", frame), &records)?;
         }
-        Ok(())
-    }
-
-    fn write_stats(&mut self, lines: &[FrameStats], frames: &Range<u32>) -> Result<(), CliError> {
-        let Some(stats) = &mut self.stats else {
-            return Ok(());
-        };
-        for line in lines.iter().filter(|line| frames.contains(&line.frame)) {
-            stats.row(&StatsRow {
-                frame: line.frame,
-                population: "particles",
-                measured: Measured::Particles(ParticleCounts {
-                    requested: line.requested.into(),
-                    born: line.born.into(),
-                    died: line.died.into(),
-                    live: line.live.into(),
-                    dropped: line.dropped.into(),
-                    died_of_intensity: line.died_of_intensity.into(),
-                    died_of_bounds: line.died_of_bounds.into(),
-                }),
-                digest: self.state_digests.remove(&line.frame),
-            })?;
-            stats.row(&StatsRow {
-                frame: line.frame,
-                population: "image",
-                measured: Measured::Image,
-                digest: self.image_digests.remove(&line.frame),
-            })?;
+        let mut rows = Vec::new();
+        if let Some(stats) = &mut self.stats {
+            let digests = (simulation.state_digest()?, simulation.image_digest()?);
+            let lines = simulation.take_statistics()?;
+            summary.count(&lines);
+            if let Some(line) = lines.iter().rfind(|line| line.frame == frame) {
+                rows = rows_of(line, digests);
+            }
+            for row in &rows {
+                stats.line(row)?;
+            }
+        } else if frame.cast_signed() % STATISTICS_STEPS == 0 {
+            summary.count(&simulation.take_statistics()?);
         }
-        Ok(())
+        match &mut self.journal {
+            Some(journal) => journal.frame_done(frame, &rows),
+            None => Ok(()),
+        }
     }
 
+    /// Whether a run that ends here can go on.
+    pub(super) fn can_go_on(&self) -> bool {
+        self.journal.as_ref().is_some_and(Journal::has_frames)
+    }
+
+    /// Puts all files in their places.
     pub(super) fn finish(self) -> Result<Written, CliError> {
         let written = match self.pictures {
             Pictures::Frames(sink) => sink.finish()?,
@@ -157,8 +261,47 @@ impl Job<'_> {
         if let Some(stats) = self.stats {
             stats.finish()?;
         }
+        if let Some(journal) = self.journal {
+            journal.remove();
+        }
         Ok(written)
     }
+}
+
+impl Summary {
+    fn count(&mut self, lines: &[FrameStats]) {
+        for line in lines {
+            self.dropped += u64::from(line.dropped);
+            self.most_live = self.most_live.max(line.live);
+        }
+    }
+}
+
+/// The rows of a frame: its state's and its picture's.
+fn rows_of(line: &FrameStats, (state, image): (u64, u64)) -> Vec<String> {
+    let counts = ParticleCounts {
+        requested: line.requested.into(),
+        born: line.born.into(),
+        died: line.died.into(),
+        live: line.live.into(),
+        dropped: line.dropped.into(),
+        died_of_intensity: line.died_of_intensity.into(),
+        died_of_bounds: line.died_of_bounds.into(),
+    };
+    [
+        ("particles", Measured::Particles(counts), state),
+        ("image", Measured::Image, image),
+    ]
+    .map(|(population, measured, digest)| {
+        let row = StatsRow {
+            frame: line.frame,
+            population,
+            measured,
+            digest: Some(digest),
+        };
+        row.to_line()
+    })
+    .into()
 }
 
 /// The image drawn last.
@@ -168,4 +311,10 @@ fn image_of(simulation: &mut Simulation, scene: &Scene) -> Result<Rgba8Image, Cl
         height: scene.image.height,
         pixels: simulation.image()?,
     })
+}
+
+/// Whether there is anything to see: a pixel that differs from the first.
+fn is_lit(image: &Rgba8Image) -> bool {
+    let (pixels, _) = image.pixels.as_chunks::<4>();
+    pixels.iter().any(|pixel| Some(pixel) != pixels.first())
 }

@@ -1,176 +1,61 @@
 //! `motes render`: a scene becomes pictures, an animation, statistics and dumps.
 
+mod args;
 mod collisions;
+mod interrupt;
 mod job;
+mod journal;
+mod request;
 
-use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 use super::CliError;
 use crate::output::{FrameSink, OutputTarget, StatsWriter};
-use crate::recording::{Recording, RefusedChange};
-use crate::scene;
+use crate::scene::Scene;
 use crate::simulation::{self, AdapterChoice, Options, Simulation};
-use job::{Job, Pictures};
+use interrupt::Interrupt;
+use job::{Job, Pictures, Summary};
+use journal::{Finished, Journal};
+use request::Request;
 
-/// Arguments of `motes render`.
-#[derive(Debug, clap::Args)]
-pub(super) struct RenderArgs {
-    /// A TOML file, or the name of a built-in scene (`motes scenes` lists them)
-    scene: String,
-    /// Where to: a folder or name-%04d.png (a PNG a frame), .png (one frame), .gif, .svg (one
-    /// frame as lines)
-    /// [default: PNGs under out/SCENE/]
-    #[arg(short, long, value_name = "OUT")]
-    output: Option<String>,
-    /// Frames to draw, from A to before B [default: the whole scene]
-    #[arg(long, value_name = "A..B", value_parser = parse_frames, conflicts_with = "frame")]
-    frames: Option<Range<u32>>,
-    /// Draw this frame alone; the simulation starts as late as particles' lifetimes allow
-    #[arg(long, value_name = "N")]
-    frame: Option<u32>,
-    /// Write each layer of the picture beside it, with alpha: name-LAYER.png. Layers sum to the
-    /// picture in light; files round that to bytes
-    #[arg(long)]
-    layers: bool,
-    /// Size of the picture in pixels
-    #[arg(long, value_name = "WxH", value_parser = parse_size)]
-    size: Option<(u32, u32)>,
-    /// Seed of every random decision [default: the scene's]
-    #[arg(long, value_name = "N")]
-    seed: Option<u64>,
-    /// auto, cpu, or part of an adapter's name
-    #[arg(long, value_name = "A", env = "MOTES_ADAPTER", default_value = "auto")]
-    adapter: String,
-    /// Write what happened in each frame: births, deaths, digests
-    #[arg(long, value_name = "FILE.csv")]
-    stats: Option<PathBuf>,
-    /// Write the particles of these frames as PLY files
-    #[arg(long, value_name = "N,N,…", value_delimiter = ',')]
-    dump: Vec<u32>,
-    /// Where dumps go [default: out/SCENE/]
-    #[arg(long, value_name = "DIR")]
-    dump_dir: Option<PathBuf>,
-    /// Change a key of the scene, e.g. camera.vertical_fov_degrees=30
-    #[arg(long, value_name = "path.to.key=value")]
-    set: Vec<String>,
-    /// Replay changes: lines of `FRAME path.to.key=value`
-    #[arg(long, value_name = "FILE")]
-    inputs: Option<PathBuf>,
-}
+pub(super) use args::RenderArgs;
 
-fn parse_frames(text: &str) -> Result<Range<u32>, String> {
-    let expected = "frames are A..B with A before B, e.g. 0..48";
-    let (start, end) = text.split_once("..").ok_or(expected)?;
-    let start: u32 = start.trim().parse().map_err(|_| expected)?;
-    let end: u32 = end.trim().parse().map_err(|_| expected)?;
-    if start >= end || end > MOST_FRAMES {
-        return Err(format!("{expected}, at most {MOST_FRAMES}"));
-    }
-    Ok(start..end)
-}
-
-fn parse_size(text: &str) -> Result<(u32, u32), String> {
-    let expected = "a size is WxH in pixels, e.g. 1280x720";
-    let (width, height) = text.split_once(['x', 'X', '×']).ok_or(expected)?;
-    let side = |text: &str| text.trim().parse().map_err(|_| expected.to_owned());
-    Ok((side(width)?, side(height)?))
-}
-
-/// As long as a scene can be.
-const MOST_FRAMES: u32 = 1_000_000;
+/// Renders; the exit code: that of a shell for what was stopped, if it was asked to stop.
 
 pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
-    let mut sets = args.set.clone();
-    if let Some((width, height)) = args.size {
-        sets.push(format!("image.width={width}"));
-        sets.push(format!("image.height={height}"));
-    }
-    if let Some(seed) = args.seed {
-        sets.push(format!("seed={seed}"));
-    }
-    let scene = scene::load_with(&args.scene, &sets)?;
-    let frames = match (args.frame, &args.frames) {
-        (Some(frame), _) if frame >= MOST_FRAMES => {
-            return Err(CliError::usage(
-                format!("frame {frame} is too late"),
-                format!("frames are below {MOST_FRAMES}"),
-            ));
-        }
-        (Some(frame), _) => frame..frame + 1,
-        (None, Some(frames)) => frames.clone(),
-        (None, None) => 0..scene.frames,
-    };
-    let folder = Path::new("out").join(&scene.name);
-    let dump_dir = args.dump_dir.clone().unwrap_or_else(|| folder.clone());
-    if let Some(frame) = args.dump.iter().find(|frame| !frames.contains(frame)) {
-        return Err(CliError::usage(
-            format!("frame {frame} is to be dumped but is not rendered"),
-            format!(
-                "frames are {}..{}; say others with --frames",
-                frames.start, frames.end
-            ),
-        ));
-    }
-    let target = match &args.output {
-        Some(out) => OutputTarget::parse(out)?,
-        None => OutputTarget::Folder(folder),
-    };
-    collisions::refuse(
-        &target,
-        &frames,
-        &if args.layers {
-            scene.layer_names()
-        } else {
-            Vec::new()
-        },
-        args.stats.as_deref(),
-        &args.dump,
-        &dump_dir,
-    )?;
-    if args.layers && target.layer_path(0, "").is_none() {
-        return Err(CliError::usage(
-            "--layers writes PNGs beside those of the frames, and this output has none",
-            "a folder, name-%04d.png or name.png after -o",
-        ));
-    }
-    if matches!(target, OutputTarget::Svg(_)) && frames.len() > 1 {
-        return Err(CliError::usage(
-            format!(
-                "a line drawing holds one frame, and there are {}",
-                frames.len()
-            ),
-            "pick one with --frame",
-        ));
-    }
-    let turns = match &args.inputs {
-        Some(path) => {
-            let turns = recording_of(path)?.turns(&args.scene, &sets);
-            turns.map_err(|e| refused_change(&e, path))?
-        }
-        None => Vec::new(),
-    };
+    let begun = Instant::now();
+    let request = request::request(&args)?;
+    let Request {
+        scene,
+        frames,
+        target,
+        ..
+    } = &request;
+    let interrupt = Interrupt::listen()?;
     let mut simulation = Simulation::new(
-        &scene,
+        scene,
         &Options {
             adapter: AdapterChoice::parse(&args.adapter),
             frame_end: frames.end,
-            turns,
+            turns: request.turns.clone(),
             ..Options::default()
         },
     )?;
-    let adapter = simulation.adapter_name();
-    if AdapterChoice::parse(&args.adapter) == AdapterChoice::Auto && adapter.starts_with("cpu") {
-        let why = if simulation::adapters().is_empty() {
-            "there is no graphics adapter here"
-        } else {
-            "no graphics adapter here has room for this scene"
-        };
-        eprintln!("motes: {why}; the processor makes the same bits");
-    }
-    eprintln!("motes: {} on {adapter}", scene.name);
-    let pictures = match &target {
+    say_where(&args, &simulation, scene);
+    say_what_is_beyond(&request);
+    // First of all outputs, so that it knows who began what is left of them.
+    let has_files = target.frame_path(0).is_some();
+    let kept = if args.resume || (has_files && frames.len() > 1) {
+        journal(&args, &request, &simulation)?
+    } else {
+        None
+    };
+    let (journal, finished) = kept.map_or((None, Finished::default()), |(journal, finished)| {
+        (Some(journal), finished)
+    });
+    let pictures = match target {
         OutputTarget::Svg(path) => Pictures::Lines(path.clone()),
         target => Pictures::Frames(FrameSink::open(
             target,
@@ -182,14 +67,39 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
     };
     let mut job = Job {
         pictures,
-        layers_beside: args.layers.then_some(&target),
+        target,
+        layers: if args.layers {
+            scene.layer_names()
+        } else {
+            Vec::new()
+        },
         stats: args.stats.as_deref().map(StatsWriter::create).transpose()?,
         dumps: &args.dump,
-        dump_dir: &dump_dir,
-        image_digests: BTreeMap::new(),
-        state_digests: BTreeMap::new(),
+        dump_dir: &request.dump_dir,
+        journal,
+        snapshot_every: Duration::from_secs_f64(args.snapshot_every),
+        interrupt: &interrupt,
     };
-    let dropped = job.run(&mut simulation, &scene, &frames)?;
+    let summary = job
+        .run(&mut simulation, scene, frames, &finished)
+        .map_err(|mut error| {
+            if job.can_go_on() {
+                error.message += "\n  = help: finished frames stay; the same command with --resume goes on after them";
+            }
+            error
+        })?;
+    if let Some((next, code)) = summary.stopped {
+        let Range { start, end } = frames;
+        eprintln!("motes: stopped before frame {next} of {start}..{end}");
+        if job.can_go_on() {
+            eprintln!("motes: the same command with --resume goes on from there");
+        } else {
+            eprintln!(
+                "motes: nothing is kept of it; with --resume from the beginning, frames are kept to go on from"
+            );
+        }
+        return Ok(code);
+    }
     let written = job.finish()?;
     if written.left_out > 0 {
         eprintln!(
@@ -197,36 +107,134 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
             written.left_out
         );
     }
-    if dropped > 0 {
-        eprintln!(
-            "motes: {dropped} births were dropped for want of room; raise the scene's `capacity` ({})",
-            simulation.plan().capacity
-        );
-    }
+    say_what_went_wrong(&summary, &simulation);
     // As it was asked for: a pattern's own path would be that of frame 0, drawn or not.
     let place = args
         .output
         .unwrap_or_else(|| target.path().display().to_string());
-    eprintln!("motes: wrote {place}");
+    let count = match frames.len() {
+        1 => format!("frame {}", frames.start),
+        count => format!("{count} frames"),
+    };
+    let secs = begun.elapsed().as_secs_f64();
+    eprintln!(
+        "motes: wrote {place}: {count} of {}x{} pixels in {secs:.1} s",
+        scene.image.width, scene.image.height
+    );
     Ok(0)
 }
 
-fn recording_of(path: &Path) -> Result<Recording, CliError> {
-    let text = std::fs::read_to_string(path).map_err(|e| {
-        CliError::usage(
-            format!("{} cannot be read: {e}", path.display()),
-            "name a text file",
-        )
-    })?;
-    Ok(Recording::parse(&text, &path.display().to_string())?)
+/// What tells this run from all that write other files.
+fn identity(args: &RenderArgs, request: &Request, simulation: &Simulation) -> u64 {
+    let Request {
+        scene,
+        frames,
+        target,
+        dump_dir,
+        recording,
+        ..
+    } = request;
+    let version = env!("CARGO_PKG_VERSION");
+    let outputs = (
+        frames,
+        target,
+        args.layers,
+        &args.stats,
+        &args.dump,
+        dump_dir,
+    );
+    // All exact adapters make the same files.
+    let adapter = (!simulation.is_exact()).then(|| simulation.adapter_name());
+    journal::identity(&format!(
+        "{version} {scene:?} {recording:?} {outputs:?} {adapter:?}"
+    ))
 }
 
-/// A change that the scene refuses: where it stands, and below that what the scene says.
-fn refused_change(refused: &RefusedChange, path: &Path) -> CliError {
-    let (file, line) = (path.display(), refused.change.line);
-    let why = refused.message.trim_start_matches("error: ");
-    CliError {
-        message: format!("error: {file}:{line}: the scene refuses this change\n{why}"),
-        code: 2,
+/// The run's journal: a new one, or that of a stopped run to go on from. `None` where the output is
+/// no file.
+fn journal(
+    args: &RenderArgs,
+    request: &Request,
+    simulation: &Simulation,
+) -> Result<Option<(Journal, Finished)>, CliError> {
+    let Some(folder) = journal::place(&request.target, &request.frames) else {
+        if args.resume {
+            return Err(CliError::usage(
+                format!(
+                    "{} is no file to go on with",
+                    request.target.path().display()
+                ),
+                "leave out --resume, or give a file after -o",
+            ));
+        }
+        return Ok(None);
+    };
+    let identity = identity(args, request, simulation);
+    if args.resume
+        && let Some((journal, finished)) = Journal::resume(&folder, identity)?
+    {
+        let stats_folder = args.stats.as_deref().and_then(Path::parent);
+        let (pictures_folder, _) = request.target.folder_and_name();
+        let folders = [&pictures_folder, &request.dump_dir, &folder];
+        finished.sweep(
+            folders
+                .into_iter()
+                .map(PathBuf::as_path)
+                .chain(stats_folder),
+        );
+        let count = finished.frames.len();
+        eprintln!("motes: going on after {count} finished frames");
+        return Ok(Some((journal, finished)));
+    }
+    Ok(Some((
+        Journal::begin(&folder, identity)?,
+        Finished::default(),
+    )))
+}
+
+fn say_where(args: &RenderArgs, simulation: &Simulation, scene: &Scene) {
+    let adapter = simulation.adapter_name();
+    if AdapterChoice::parse(&args.adapter) == AdapterChoice::Auto && adapter.starts_with("cpu") {
+        let why = if simulation::adapters().is_empty() {
+            "there is no graphics adapter here"
+        } else {
+            "no graphics adapter here has room for this scene"
+        };
+        eprintln!("motes: {why}; the processor makes the same bits");
+    }
+    eprintln!("motes: {} on {adapter}", scene.name);
+}
+
+/// What is asked for beyond an end, and is therefore not what it may seem.
+fn say_what_is_beyond(request: &Request) {
+    let (end, lasts) = (request.frames.end, request.scene.frames);
+    if end > lasts {
+        eprintln!("motes: the scene lasts {lasts} frames; those after show how it goes on");
+    }
+    let late = request.recording.changes.iter().find(|it| it.frame >= end);
+    if let Some(change) = late {
+        eprintln!(
+            "motes: changes from frame {} on come too late for frames up to {end}",
+            change.frame
+        );
+    }
+}
+
+fn say_what_went_wrong(summary: &Summary, simulation: &Simulation) {
+    if summary.dropped > 0 {
+        eprintln!(
+            "motes: {} births were dropped for want of room; raise the scene's `capacity` ({})",
+            summary.dropped,
+            simulation.plan().capacity
+        );
+    }
+    if !summary.lit {
+        let why = match summary.most_live {
+            0 => "no particle was alive in them: look at births and frames".to_owned(),
+            live => format!(
+                "up to {live} particles were alive, but dark, too small or out of the camera's sight"
+            ),
+        };
+        eprintln!("motes: there is nothing to see in these pictures: {why}");
     }
 }

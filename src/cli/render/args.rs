@@ -1,0 +1,88 @@
+//! The arguments of `motes render`.
+
+use std::ops::Range;
+use std::path::PathBuf;
+
+/// Arguments of `motes render`.
+#[derive(Debug, clap::Args)]
+pub(in crate::cli) struct RenderArgs {
+    /// A TOML file, or the name of a built-in scene (`motes scenes` lists them)
+    pub(super) scene: String,
+    /// Where to: a folder or name-%04d.png (a PNG a frame), .png (one frame), .gif, .svg (one
+    /// frame as lines)
+    /// [default: PNGs under out/SCENE/]
+    #[arg(short, long, value_name = "OUT")]
+    pub(super) output: Option<String>,
+    /// Frames to draw, from A to before B [default: the whole scene]
+    #[arg(long, value_name = "A..B", value_parser = parse_frames, conflicts_with = "frame")]
+    pub(super) frames: Option<Range<u32>>,
+    /// Draw this frame alone; the simulation starts as late as particles' lifetimes allow
+    #[arg(long, value_name = "N")]
+    pub(super) frame: Option<u32>,
+    /// Write each layer of the picture beside it, with alpha: name-LAYER.png. Layers sum to the
+    /// picture in light; files round that to bytes
+    #[arg(long)]
+    pub(super) layers: bool,
+    /// Size of the picture in pixels
+    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    pub(super) size: Option<(u32, u32)>,
+    /// Seed of every random decision [default: the scene's]
+    #[arg(long, value_name = "N")]
+    pub(super) seed: Option<u64>,
+    /// auto, cpu, or part of an adapter's name
+    #[arg(long, value_name = "A", env = "MOTES_ADAPTER", default_value = "auto")]
+    pub(super) adapter: String,
+    /// Write what happened in each frame: births, deaths, digests
+    #[arg(long, value_name = "FILE.csv")]
+    pub(super) stats: Option<PathBuf>,
+    /// Write the particles of these frames as PLY files
+    #[arg(long, value_name = "N,N,…", value_delimiter = ',')]
+    pub(super) dump: Vec<u32>,
+    /// Where dumps go [default: out/SCENE/]
+    #[arg(long, value_name = "DIR")]
+    pub(super) dump_dir: Option<PathBuf>,
+    /// Change a key of the scene, e.g. camera.vertical_fov_degrees=30
+    #[arg(long, value_name = "path.to.key=value")]
+    pub(super) set: Vec<String>,
+    /// Replay changes: lines of `FRAME path.to.key=value`
+    #[arg(long, value_name = "FILE")]
+    pub(super) inputs: Option<PathBuf>,
+    /// Go on where a run of the same command was stopped or killed, with the same bits. An
+    /// animation can go on if it was begun with this, too: its frames are kept meanwhile
+    #[arg(long)]
+    pub(super) resume: bool,
+    /// Refuse to write over files that are there [default: they are replaced]
+    #[arg(short, long)]
+    pub(super) no_clobber: bool,
+    /// Time between two snapshots of the state, kept to resume from where particles live without
+    /// limit or births are dropped
+    #[arg(long, value_name = "SECS", default_value_t = 30.0, value_parser = parse_secs)]
+    pub(super) snapshot_every: f64,
+}
+
+fn parse_secs(text: &str) -> Result<f64, String> {
+    let secs = text.trim().parse().ok();
+    secs.filter(|secs| (0.0..=1e6).contains(secs))
+        .ok_or_else(|| "seconds are a number from 0 to 1000000, e.g. 30".to_owned())
+}
+
+fn parse_frames(text: &str) -> Result<Range<u32>, String> {
+    let expected = "frames are A..B with A before B, e.g. 0..48";
+    let (start, end) = text.split_once("..").ok_or(expected)?;
+    let start: u32 = start.trim().parse().map_err(|_| expected)?;
+    let end: u32 = end.trim().parse().map_err(|_| expected)?;
+    if start >= end || end > MOST_FRAMES {
+        return Err(format!("{expected}, at most {MOST_FRAMES}"));
+    }
+    Ok(start..end)
+}
+
+fn parse_size(text: &str) -> Result<(u32, u32), String> {
+    let expected = "a size is WxH in pixels, e.g. 1280x720";
+    let (width, height) = text.split_once(['x', 'X', '×']).ok_or(expected)?;
+    let side = |text: &str| text.trim().parse().map_err(|_| expected.to_owned());
+    Ok((side(width)?, side(height)?))
+}
+
+/// As long as a scene can be.
+pub(super) const MOST_FRAMES: u32 = 1_000_000;

@@ -1,0 +1,318 @@
+//! Runs that are stopped or killed and go on: the files are those of a run that was not.
+
+use std::collections::BTreeMap;
+use std::process::{Child, Stdio};
+use std::time::Duration;
+
+use crate::{Ended, Workshop};
+
+/// Bytes of every file of the folder but the scene, hidden ones too, by path.
+type Files = BTreeMap<String, Vec<u8>>;
+
+/// A scene that takes long enough to be stopped in the middle. Its particles live without limit,
+/// and most births find no room: nothing but its whole past tells its state.
+const CROWDED: &str = r#"frames = 40
+seed = 3
+capacity = 9000
+[image]
+width = 96
+height = 54
+[camera]
+position = [0, 0, 5]
+target = [0, 0, 0]
+[[system]]
+name = "crowd"
+initial_mean_parts = 1000
+var_parts = 600
+generation_shape = { kind = "sphere", radius = 0.5 }
+speed = { mean = 0.02, var = 0.02 }
+color = { mean = [0.1, 0.05, 0.02], var = [0.1, 0.05, 0.02], rate = [-0.002, -0.001, -0.0004] }
+intensity_threshold = 0.02
+size = { mean = 0.02, var = 0.01 }
+"#;
+
+fn files_of(here: &Workshop) -> Files {
+    let of_run = |name: &String| !name.ends_with(".toml");
+    here.files()
+        .into_iter()
+        .filter(of_run)
+        .map(|name| (name.clone(), here.read(&name)))
+        .collect()
+}
+
+fn workshop() -> Workshop {
+    let here = Workshop::new();
+    here.write("crowded.toml", CROWDED);
+    here
+}
+
+fn render<'a>(output: &[&'a str]) -> Vec<&'a str> {
+    [&["render", "crowded.toml", "--adapter", "cpu"], output].concat()
+}
+
+/// The files of a run that nothing stops.
+fn whole(output: &[&str]) -> Files {
+    let here = workshop();
+    let ended = here.run(&render(output));
+    assert_eq!(ended.code, 0, "{}", ended.stderr);
+    assert!(ended.stderr.contains("were dropped"), "{}", ended.stderr);
+    files_of(&here)
+}
+
+fn start(here: &Workshop, arguments: &[&str]) -> Child {
+    here.command(arguments)
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program can be started")
+}
+
+/// Kills a run at moments that are spread over its course, and lets it go on, until it is done.
+fn kill_until_done(output: &[&str], kills: u32) {
+    let expected = whole(output);
+    let mut arguments = render(output);
+    arguments.extend(["--resume", "--snapshot-every", "0"]);
+    let (mut killed, mut round) = (0, 0_u32);
+    while killed < kills {
+        let here = workshop();
+        // Longer and longer, or it would be killed before anything is done for ever.
+        let mut patience = Duration::from_millis(30);
+        loop {
+            let mut run = start(&here, &arguments);
+            round += 1;
+            let share = f64::from(u32::wrapping_mul(round, 2_654_435_769)) / f64::from(u32::MAX);
+            std::thread::sleep(patience.mul_f64(0.2 + share));
+            patience = patience.mul_f64(1.3);
+            run.kill().expect("it is ours");
+            let ended = run.wait_with_output().expect("it has ended");
+            if ended.status.success() {
+                break;
+            }
+            killed += 1;
+            // What has a final name is whole.
+            for (name, bytes) in files_of(&here) {
+                if let Some(expected) = expected.get(&name) {
+                    assert!(bytes == *expected, "{name} after {killed} kills");
+                } else {
+                    let hidden = name.split('/').any(|part| part.starts_with('.'));
+                    assert!(hidden, "{name} after {killed} kills");
+                }
+            }
+        }
+        let found = files_of(&here);
+        let names = |files: &Files| files.keys().cloned().collect::<Vec<_>>();
+        assert_eq!(names(&found), names(&expected), "after {killed} kills");
+        assert!(found == expected, "after {killed} kills");
+    }
+}
+
+/// How often runs are killed: `MOTES_FULL=1` for more.
+fn kills() -> u32 {
+    if std::env::var("MOTES_FULL").is_ok_and(|value| value == "1") {
+        50
+    } else {
+        8
+    }
+}
+
+#[test]
+fn killed_runs_go_on_to_the_same_pictures_statistics_and_dumps() {
+    let output = [
+        "-o", "all", "--stats", "s.csv", "--dump", "7,30", "--layers",
+    ];
+    kill_until_done(&output, kills());
+}
+
+#[test]
+fn killed_animations_go_on_to_the_same_file() {
+    kill_until_done(&["-o", "a.gif", "--stats", "s.csv"], kills());
+}
+
+/// Stops a run by a signal once a file is there, or after a moment; how it ended.
+#[cfg(unix)]
+fn stop(here: &Workshop, arguments: &[&str], signal: &str, watched: Option<&str>) -> Ended {
+    let mut run = start(here, arguments);
+    let patience = if watched.is_some() { 2000 } else { 12 };
+    for _ in 0..patience {
+        if watched.is_some_and(|file| here.path(file).exists()) {
+            break;
+        }
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    if run.try_wait().expect("it is ours").is_none() {
+        let sent = std::process::Command::new("kill")
+            .args([signal, &run.id().to_string()])
+            .status();
+        assert!(sent.is_ok_and(|status| status.success()));
+    }
+    Ended::of(run.wait_with_output())
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_ends_cleanly_and_says_how_to_go_on() {
+    let output = ["-o", "all", "--stats", "s.csv"];
+    let expected = whole(&output);
+    for (signal, code) in [("-INT", 130), ("-TERM", 143)] {
+        let here = workshop();
+        let ended = stop(&here, &render(&output), signal, Some("all/frame-0003.png"));
+        assert_eq!(ended.code, code, "{}", ended.stderr);
+        assert!(
+            ended.stderr.contains("motes: stopped before frame "),
+            "{}",
+            ended.stderr
+        );
+        assert!(ended.stderr.contains("of 0..40"), "{}", ended.stderr);
+        assert!(
+            ended.stderr.contains("--resume goes on"),
+            "{}",
+            ended.stderr
+        );
+        let found = files_of(&here);
+        assert!(!found.contains_key("s.csv"), "statistics of a part");
+        assert!(
+            found.len() > 4 && found.len() < expected.len() + 2,
+            "{}",
+            found.len()
+        );
+        let mut again = render(&output);
+        again.push("--resume");
+        let ended = here.run(&again);
+        assert_eq!(ended.code, 0, "{}", ended.stderr);
+        assert!(
+            ended.stderr.contains("motes: going on after "),
+            "{}",
+            ended.stderr
+        );
+        assert!(files_of(&here) == expected);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn an_animation_that_was_not_begun_to_be_resumed_leaves_nothing() {
+    let here = workshop();
+    let arguments = render(&["-o", "a.gif"]);
+    let ended = stop(&here, &arguments, "-INT", None);
+    // On a fast machine it may be done before it is stopped.
+    if ended.code != 0 {
+        assert_eq!(ended.code, 130, "{}", ended.stderr);
+        assert!(ended.stderr.contains("nothing is kept"), "{}", ended.stderr);
+        assert!(files_of(&here).is_empty(), "{:?}", here.files());
+    }
+}
+
+#[test]
+fn two_processes_that_share_the_frames_make_the_files_of_one() {
+    let here = Workshop::new();
+    here.render(&["-o", "whole"]);
+    let halves = ["0..4", "4..10"].map(|frames| {
+        let arguments = ["--adapter", "cpu", "-o", "halves", "--frames", frames];
+        start(
+            &here,
+            &[&["render", "sparks.toml"], &arguments[..]].concat(),
+        )
+    });
+    for half in halves {
+        let ended = Ended::of(half.wait_with_output());
+        assert_eq!(ended.code, 0, "{}", ended.stderr);
+    }
+    let files = files_of(&here);
+    assert_eq!(files.len(), 20, "{:?}", here.files());
+    for (name, bytes) in files.iter().filter(|(name, _)| name.starts_with("whole")) {
+        let other = name.replace("whole", "halves");
+        assert!(files.get(&other) == Some(bytes), "{name} and {other}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn another_run_is_not_gone_on_with() {
+    let here = workshop();
+    let arguments = render(&["-o", "all"]);
+    let ended = stop(&here, &arguments, "-INT", Some("all/frame-0003.png"));
+    assert_eq!(ended.code, 130, "{}", ended.stderr);
+    for change in [
+        &["--seed", "4"][..],
+        &["--set", "system.crowd.size=0.1"],
+        &["--size", "97x54"],
+        &["--layers"],
+        &["--stats", "s.csv"],
+    ] {
+        let ended = here.run(&[&arguments[..], &["--resume"], change].concat());
+        assert_eq!(ended.code, 2, "{change:?}: {}", ended.stderr);
+        assert!(
+            ended.stderr.contains("is of another run"),
+            "{}",
+            ended.stderr
+        );
+        assert!(
+            ended.stderr.contains("leave out --resume"),
+            "{}",
+            ended.stderr
+        );
+    }
+    // Without it, all begins anew.
+    let ended = here.run(&arguments);
+    assert_eq!(ended.code, 0, "{}", ended.stderr);
+    assert!(files_of(&here) == whole(&["-o", "all"]));
+}
+
+#[cfg(unix)]
+#[test]
+fn frames_that_have_been_removed_meanwhile_are_made_again() {
+    let here = workshop();
+    let mut arguments = render(&["-o", "all", "--stats", "s.csv"]);
+    let ended = stop(&here, &arguments, "-INT", Some("all/frame-0006.png"));
+    assert_eq!(ended.code, 130, "{}", ended.stderr);
+    std::fs::remove_file(here.path("all/frame-0002.png")).expect("it was there");
+    arguments.push("--resume");
+    let ended = here.run(&arguments);
+    assert_eq!(ended.code, 0, "{}", ended.stderr);
+    assert!(files_of(&here) == whole(&["-o", "all", "--stats", "s.csv"]));
+}
+
+#[test]
+fn resume_needs_a_file_and_begins_where_nothing_was_begun() {
+    let here = Workshop::new();
+    let ended = here.render(&["-o", "a.gif", "--resume"]);
+    assert!(!ended.stderr.contains("going on"), "{}", ended.stderr);
+    assert_eq!(here.files(), ["a.gif", "sparks.toml"]);
+    #[cfg(target_os = "linux")]
+    {
+        let ended = here.run(&["render", "sparks.toml", "-o", "/dev/null", "--resume"]);
+        assert_eq!(ended.code, 2, "{}", ended.stderr);
+    }
+}
+
+#[test]
+fn files_are_replaced_unless_they_are_not_to_be() {
+    let here = Workshop::new();
+    here.write("a.gif", "precious");
+    let ended = here.run(&["render", "sparks.toml", "-o", "a.gif", "--no-clobber"]);
+    assert_eq!(ended.code, 2, "{}", ended.stderr);
+    assert!(
+        ended.stderr.contains("a.gif is there already"),
+        "{}",
+        ended.stderr
+    );
+    assert_eq!(here.read("a.gif"), b"precious");
+    here.render(&["-o", "a.gif"]);
+    assert_ne!(here.read("a.gif"), b"precious");
+    here.render(&["-o", "all", "--frames", "3..5", "-n"]);
+    let ended = here.run(&[
+        "render",
+        "sparks.toml",
+        "-o",
+        "all",
+        "--frames",
+        "0..9",
+        "-n",
+    ]);
+    assert_eq!(ended.code, 2, "{}", ended.stderr);
+    assert!(
+        ended.stderr.contains("all/frame-0003.png"),
+        "{}",
+        ended.stderr
+    );
+}
