@@ -2,9 +2,11 @@
 
 mod error;
 mod lines;
+mod radiance;
 
 pub use error::SimulationError;
 pub use lines::Line;
+pub use radiance::linear_of;
 
 use crate::backend::Backend;
 use crate::cpu::CpuBackend;
@@ -12,7 +14,9 @@ use crate::cpu::particle::{STREAM_PLACE, draw, identity_of, lifetime_of, row_ind
 use crate::cpu::projection::world_of;
 use crate::exact::dot3;
 use crate::gpu::{self, AdapterDescription, GpuBackend, GpuOptions};
-use crate::layout::{FrameStats, Particle, SHAPE_CURVE, SYSTEM_PARABOLIC, SystemFrame, SystemRow};
+use crate::layout::{
+    Frame, FrameStats, Particle, SHAPE_CURVE, SYSTEM_PARABOLIC, SystemFrame, SystemRow,
+};
 use crate::plan::{FrameInputs, Plan, PlanError, Turn};
 use crate::scene::Scene;
 
@@ -78,6 +82,8 @@ pub struct Simulation {
     backend: Box<dyn Backend>,
     /// Inputs of the last frame stepped.
     inputs: Option<FrameInputs>,
+    /// What the image drawn last was drawn with.
+    drawn: Option<Frame>,
     next_frame: i32,
 }
 
@@ -134,6 +140,7 @@ impl Simulation {
             plan,
             backend,
             inputs: None,
+            drawn: None,
         }
     }
 
@@ -182,7 +189,7 @@ impl Simulation {
         }
         check_sizes(&self.plan, &inputs).map_err(SimulationError::Plan)?;
         // What holds for a whole run is the plan's: kernels index by it.
-        inputs.frame = crate::layout::Frame {
+        inputs.frame = Frame {
             frame: self.next_frame.cast_unsigned(),
             wind_count: inputs.winds.len() as u32,
             layer_plane_count: inputs.layer_planes.len() as u32,
@@ -225,6 +232,7 @@ impl Simulation {
     pub fn draw(&mut self) -> Result<(), SimulationError> {
         if let Some(inputs) = &self.inputs {
             self.backend.draw(inputs)?;
+            self.drawn = Some(inputs.frame);
         }
         Ok(())
     }
@@ -257,6 +265,7 @@ impl Simulation {
             index as u32 + 1
         };
         self.backend.draw(&inputs)?;
+        self.drawn = Some(inputs.frame);
         Ok(())
     }
 
