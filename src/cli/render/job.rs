@@ -7,8 +7,9 @@ use std::path::{Path, PathBuf};
 use crate::cli::{CliError, progress_bar};
 use crate::layout::FrameStats;
 use crate::output::{
-    Drawing, FrameSink, Measured, OutputTarget, ParticleCounts, ParticleRecord, Rgba8Image,
-    StatsRow, StatsWriter, Written, dump_path, write_particles, write_png, write_svg,
+    Drawing, FrameSink, LinearImage, Measured, OutputTarget, ParticleCounts, ParticleRecord,
+    Picture, Pixels, Rgba8Image, StatsRow, StatsWriter, Written, dump_path, write_particles,
+    write_svg,
 };
 use crate::scene::Scene;
 use crate::simulation::Simulation;
@@ -75,15 +76,20 @@ impl Job<'_> {
         if let Some(target) = self.layers_beside {
             for (index, name) in simulation.layer_names().iter().enumerate() {
                 simulation.draw_layer(index)?;
-                let layer = image_of(simulation, scene)?.into_layer();
+                let what = format!("frame {frame}, layer {name}");
+                let layer = picture_of(simulation, scene, target.pixels(), &what)?.into_layer();
                 if let Some(path) = target.layer_path(frame, name) {
-                    write_png(&path, &layer)?;
+                    layer.write(&path)?;
                 }
             }
         }
         simulation.draw()?;
         match &mut self.pictures {
-            Pictures::Frames(sink) => sink.write_frame(frame, &image_of(simulation, scene)?)?,
+            Pictures::Frames(sink) => {
+                let what = format!("frame {frame}");
+                let picture = picture_of(simulation, scene, sink.pixels(), &what)?;
+                sink.write_frame(frame, &picture)?;
+            }
             Pictures::Lines(path) => {
                 let lines = simulation.lines()?;
                 let seen = simulation.frame_inputs().map(|inputs| inputs.frame);
@@ -161,11 +167,26 @@ impl Job<'_> {
     }
 }
 
-/// The image drawn last.
-fn image_of(simulation: &mut Simulation, scene: &Scene) -> Result<Rgba8Image, CliError> {
-    Ok(Rgba8Image {
-        width: scene.image.width,
-        height: scene.image.height,
-        pixels: simulation.image()?,
+/// The image drawn last, in the form that its file takes; `what` of the scene it shows.
+fn picture_of(
+    simulation: &mut Simulation,
+    scene: &Scene,
+    pixels: Pixels,
+    what: &str,
+) -> Result<Picture, CliError> {
+    let (width, height) = (scene.image.width, scene.image.height);
+    Ok(match pixels {
+        Pixels::Bytes => Picture::Bytes(Rgba8Image {
+            width,
+            height,
+            pixels: simulation.image()?,
+        }),
+        Pixels::Linear => Picture::Linear(LinearImage {
+            width,
+            height,
+            pixels: simulation.radiance()?,
+            is_layer: false,
+            comment: format!("{}, seed {}, {what}", scene.name, scene.seed),
+        }),
     })
 }
