@@ -78,6 +78,12 @@ impl AtomicFile {
         &self.asked_path
     }
 
+    /// The hidden file, for another program to fill; None for a device or a pipe.
+    pub(super) fn hidden_path(&self) -> Option<&Path> {
+        let renaming = self.renaming.as_ref()?;
+        Some(&renaming.temporary_path)
+    }
+
     /// An error of writing this file, in the user's words.
     pub(super) fn error(&self, error: io::Error) -> OutputError {
         OutputError::io(&self.asked_path, "write", error)

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 /// An output that could not be written: which file, what is wrong, and what would be right.
 ///
-/// [`fmt::Display`] gives a line with the file and the problem and, where there is advice, a second, indented line.
+/// [`fmt::Display`] gives a line with the file and the problem and, where there is advice, more, indented lines.
 #[derive(Debug)]
 pub struct OutputError {
     path: PathBuf,
@@ -19,7 +19,7 @@ pub struct OutputError {
 
 impl OutputError {
     /// True where asking for something else would help (a name, a folder, a size): exit code 2.
-    /// False where the machine refused (disk full, read-only, no permission): exit code 3.
+    /// False where the machine refused (disk full, read-only, no permission, no ffmpeg): exit code 3.
     pub fn is_users_fault(&self) -> bool {
         self.is_users_fault
     }
@@ -41,6 +41,18 @@ impl OutputError {
             advice: advice.into(),
             is_users_fault: true,
             source: None,
+        }
+    }
+
+    /// What the machine lacks or refuses, with what would help (may be empty).
+    pub(super) fn machine(
+        path: impl Into<PathBuf>,
+        problem: impl Into<String>,
+        advice: impl Into<String>,
+    ) -> Self {
+        Self {
+            is_users_fault: false,
+            ..Self::usage(path, problem, advice)
         }
     }
 

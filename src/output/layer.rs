@@ -1,7 +1,7 @@
 //! Layers of a picture: light with alpha, and putting one over another (Reeves 1983, 2.5: other
 //! objects are composited with the particles' picture afterwards).
 
-use super::Rgba8Image;
+use super::{LinearImage, Picture, Rgba8Image};
 
 impl Rgba8Image {
     /// Light on black becomes a layer with alpha: the brightest channel is how much of what is
@@ -44,5 +44,26 @@ impl Rgba8Image {
             below[3] = (alpha * 255.0 + 0.5) as u8;
         }
         self
+    }
+}
+
+impl LinearImage {
+    /// Light on black becomes a layer with alpha, premultiplied: the brightest channel, at most 1, is
+    /// how much of what is behind it hides. The light itself stays as it is.
+    #[must_use]
+    pub fn into_layer(mut self) -> Self {
+        self.is_layer = true;
+        self
+    }
+}
+
+impl Picture {
+    /// Light on black becomes a layer with alpha.
+    #[must_use]
+    pub fn into_layer(self) -> Self {
+        match self {
+            Self::Bytes(image) => Self::Bytes(image.into_layer()),
+            Self::Linear(image) => Self::Linear(image.into_layer()),
+        }
     }
 }

@@ -2,14 +2,18 @@
 //!
 //! Every file appears whole or not at all: it is written beside its place under a hidden name and renamed when it is
 //! complete ([`FrameSink`], [`StatsWriter`], [`write_png`], [`write_particles`]). The same input gives the same bytes
-//! on any machine and with any number of threads.
+//! on any machine and with any number of threads; an MP4's are also those of the ffmpeg that wrote it.
 //!
 //! | file | reads | said by |
 //! |---|---|---|
 //! | `target.rs` | what the user wrote after `-o` | [`OutputTarget`] |
 //! | `sink.rs` | frames, one after another | [`FrameSink`] |
+//! | `pattern.rs` | file names with a frame number | [`FramePattern`] |
+//! | `picture.rs` | bytes, or linear light | [`Picture`] |
 //! | `png.rs` | one picture | [`write_png`] |
+//! | `exr.rs` | one picture, linear and unclamped | [`write_exr`] |
 //! | `gif/` | an animation: palette, dithering, changes between frames | inside [`FrameSink`] |
+//! | `mp4/` | a film, through ffmpeg | inside [`FrameSink`] |
 //! | `folder.rs` | a folder of files | inside [`check::save`](crate::check::save) |
 //! | `layer.rs` | light with alpha, one picture over another | [`Rgba8Image::into_layer`] |
 //! | `svg.rs` | a line a particle | [`write_svg`] |
@@ -19,9 +23,13 @@
 mod atomic;
 mod csv;
 mod error;
+mod exr;
 mod folder;
 mod gif;
 mod layer;
+mod mp4;
+mod pattern;
+mod picture;
 mod ply;
 mod png;
 mod sink;
@@ -31,31 +39,13 @@ mod target;
 pub(crate) use atomic::create_folder;
 pub use csv::{Measured, ParticleCounts, StatsRow, StatsWriter};
 pub use error::OutputError;
+pub use exr::write_exr;
 pub(crate) use folder::{AtomicFolder, write_whole};
+pub use pattern::FramePattern;
+pub use picture::{LinearImage, Picture, PictureRef, Pixels, Rgba8Image};
 pub use ply::{ParticleRecord, dump_path, write_particles};
 pub(crate) use png::read_png;
 pub use png::write_png;
 pub use sink::{FrameSink, Written};
 pub use svg::{Drawing, write_svg};
-pub use target::{FramePattern, OutputTarget};
-
-/// A finished picture, 8 bits a channel, display-referred.
-///
-/// Alpha is straight (not premultiplied), as PNG has it; 255 everywhere for an ordinary frame.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Rgba8Image {
-    /// Pixels a row, at least 1.
-    pub width: u32,
-    /// Rows, at least 1.
-    pub height: u32,
-    /// Red, green, blue, alpha of every pixel, row by row, the top row first: `4 * width * height` bytes.
-    pub pixels: Vec<u8>,
-}
-
-impl Rgba8Image {
-    /// Whether the size is at least 1×1 and `pixels` is as long as the size says.
-    pub fn is_consistent(&self) -> bool {
-        let pixel_count = u64::from(self.width) * u64::from(self.height);
-        pixel_count > 0 && pixel_count.checked_mul(4) == Some(self.pixels.len() as u64)
-    }
-}
+pub use target::OutputTarget;

@@ -4,14 +4,13 @@ use std::path::PathBuf;
 
 use super::atomic::AtomicFile;
 use super::gif::GifWriter;
-use super::png::write_png;
-use super::target::FramePattern;
-use super::{OutputError, OutputTarget, Rgba8Image};
+use super::mp4::Mp4Writer;
+use super::{FramePattern, OutputError, OutputTarget, PictureRef, Pixels};
 
 /// An output that takes frames.
 ///
-/// Each PNG appears when it is complete; a GIF appears at [`FrameSink::finish`]. Dropping the sink before that leaves the
-/// PNGs so far and no GIF.
+/// Each PNG or EXR appears when it is complete; a GIF or MP4 appears at [`FrameSink::finish`]. Dropping the sink before
+/// that leaves the pictures so far and no animation. An output takes the pixels that [`FrameSink::pixels`] says.
 ///
 /// ```no_run
 /// # use motes::output::{FrameSink, OutputTarget, Rgba8Image};
@@ -30,6 +29,7 @@ pub struct FrameSink {
     height: u32,
     /// What messages name.
     path: PathBuf,
+    pixels: Pixels,
     written: Written,
 }
 
@@ -47,15 +47,20 @@ enum Writer {
     Frames(FramePattern),
     One(PathBuf),
     Gif(Box<GifWriter>),
+    Mp4(Box<Mp4Writer>),
 }
 
 impl FrameSink {
     /// Prepares an output for `frame_count` frames of `width`×`height` pixels at `frame_rate` frames a second (finite,
-    /// above 0; only a GIF keeps it). Folders are created, and whether files can be written there is found out now.
+    /// above 0; only animations keep it). Folders are created, and whether files can be written there, and whether there is
+    /// an ffmpeg for an MP4, is found out now.
+    ///
+    /// An MP4 is H.264 with 4:2:0 chroma, whose sides are even: an odd one gets its last column or row twice.
     ///
     /// # Errors
-    /// The user's fault: no frames, more than one frame for a single PNG, a size of 0 or beyond what the format holds
-    /// (65,535 a side for a GIF), a frame rate that is none, a path that cannot be. The machine's: it cannot be written.
+    /// The user's fault: no frames, more than one frame for a single PNG or EXR, a size of 0 or beyond what the format
+    /// holds (65,535 a side for a GIF), a frame rate that is none, a path that cannot be. The machine's: it cannot be
+    /// written, or there is no ffmpeg with libx264.
     pub fn open(
         target: &OutputTarget,
         width: u32,
@@ -89,10 +94,16 @@ impl FrameSink {
             OutputTarget::Png(_) if frame_count > 1 => {
                 return usage(
                     format!("one PNG holds one frame, and there are {frame_count}"),
-                    "use name-%04d.png or .gif, or pick one with --frame",
+                    "use name-%04d.png, .gif or .mp4, or pick one with --frame",
                 );
             }
-            OutputTarget::Png(path) => {
+            OutputTarget::Exr(_) if frame_count > 1 => {
+                return usage(
+                    format!("one EXR holds one frame, and there are {frame_count}"),
+                    "use name-%04d.exr, or pick one with --frame",
+                );
+            }
+            OutputTarget::Png(path) | OutputTarget::Exr(path) => {
                 probe(path)?;
                 Writer::One(path.clone())
             }
@@ -105,55 +116,67 @@ impl FrameSink {
             OutputTarget::Gif(path) => Writer::Gif(Box::new(GifWriter::create(
                 path, width, height, frame_rate,
             )?)),
+            OutputTarget::Mp4(path) => Writer::Mp4(Box::new(Mp4Writer::create(
+                path, width, height, frame_rate,
+            )?)),
         };
         Ok(Self {
             writer,
             width,
             height,
             path,
+            pixels: target.pixels(),
             written: Written::default(),
         })
     }
 
-    /// Whether all frames go into one file, which is nothing before the last.
-    pub fn is_animation(&self) -> bool {
-        matches!(self.writer, Writer::Gif(_))
+    /// What it stores of a pixel, and so takes.
+    pub fn pixels(&self) -> Pixels {
+        self.pixels
     }
 
     /// Writes the next frame. `frame_number` names its file; an animation takes frames in the order of the calls.
     ///
     /// # Errors
-    /// The user's fault: a picture of another size than the sink was opened for, a second one for a single PNG. The
-    /// machine's: it cannot be written.
-    pub fn write_frame(
+    /// The user's fault: a picture of another size than the sink was opened for or of other pixels than it takes, a
+    /// second one for a single PNG or EXR. The machine's: it cannot be written.
+    pub fn write_frame<'a>(
         &mut self,
         frame_number: u32,
-        image: &Rgba8Image,
+        picture: impl Into<PictureRef<'a>>,
     ) -> Result<(), OutputError> {
+        let picture = picture.into();
         let Self { width, height, .. } = *self;
-        if (image.width, image.height) != (width, height) || !image.is_consistent() {
-            return Err(OutputError::usage(
+        let refuse = |what: String| {
+            let each = match self.pixels {
+                Pixels::Bytes => "4 bytes a pixel",
+                Pixels::Linear => "3 linear values a pixel",
+            };
+            Err(OutputError::usage(
                 &self.path,
-                format!(
-                    "frame {frame_number} is {}×{} with {} bytes of pixels",
-                    image.width,
-                    image.height,
-                    image.pixels.len()
-                ),
-                format!("every frame of this output is {width}×{height}, 4 bytes a pixel"),
-            ));
+                format!("frame {frame_number} is {what}"),
+                format!("every frame of this output is {width}×{height}, {each}"),
+            ))
+        };
+        if let Some(misfit) = picture.misfit(width, height, self.pixels) {
+            return refuse(misfit);
         }
-        match &mut self.writer {
-            Writer::Frames(pattern) => write_png(&pattern.path(frame_number), image)?,
-            Writer::One(path) if self.written.frames == 0 => write_png(path, image)?,
-            Writer::One(path) => {
+        match (&mut self.writer, picture) {
+            (Writer::Frames(pattern), picture) => picture.write(&pattern.path(frame_number))?,
+            (Writer::One(path), picture) if self.written.frames == 0 => picture.write(path)?,
+            (Writer::One(path), _) => {
+                let ending = self.pixels.ending();
                 return Err(OutputError::usage(
                     &*path,
-                    "a second frame for a single PNG",
-                    "use name-%04d.png or .gif",
+                    format!("a second frame for a single .{ending}"),
+                    format!("use name-%04d.{ending}"),
                 ));
             }
-            Writer::Gif(writer) => writer.write_frame(image)?,
+            (Writer::Gif(writer), PictureRef::Bytes(image)) => writer.write_frame(image)?,
+            (Writer::Mp4(writer), PictureRef::Bytes(image)) => writer.write_frame(image)?,
+            (Writer::Gif(_) | Writer::Mp4(_), PictureRef::Linear(_)) => {
+                return refuse("linear".to_owned());
+            }
         }
         self.written.frames += 1;
         Ok(())
@@ -162,10 +185,12 @@ impl FrameSink {
     /// Completes the output and puts it in its place.
     ///
     /// # Errors
-    /// The machine's fault: it cannot be written. The user's: a GIF to which no frame was written.
+    /// The machine's fault: it cannot be written, or ffmpeg fails. The user's: an animation to which no frame was written.
     pub fn finish(mut self) -> Result<Written, OutputError> {
-        if let Writer::Gif(writer) = self.writer {
-            self.written.left_out = writer.finish()?;
+        match self.writer {
+            Writer::Frames(_) | Writer::One(_) => {}
+            Writer::Gif(writer) => self.written.left_out = writer.finish()?,
+            Writer::Mp4(writer) => writer.finish()?,
         }
         Ok(self.written)
     }

@@ -2,10 +2,12 @@
 
 mod error;
 mod lines;
+mod radiance;
 mod snapshot;
 
 pub use error::SimulationError;
 pub use lines::Line;
+pub use radiance::linear_of;
 pub use snapshot::{Snapshot, SnapshotError};
 
 use crate::backend::Backend;
@@ -14,7 +16,9 @@ use crate::cpu::particle::{STREAM_PLACE, draw, identity_of, lifetime_of, row_ind
 use crate::cpu::projection::world_of;
 use crate::exact::dot3;
 use crate::gpu::{self, AdapterDescription, GpuBackend, GpuOptions};
-use crate::layout::{FrameStats, Particle, SHAPE_CURVE, SYSTEM_PARABOLIC, SystemFrame, SystemRow};
+use crate::layout::{
+    Frame, FrameStats, Particle, SHAPE_CURVE, SYSTEM_PARABOLIC, SystemFrame, SystemRow,
+};
 use crate::plan::{FrameInputs, Plan, PlanError, Turn};
 use crate::scene::Scene;
 
@@ -80,6 +84,8 @@ pub struct Simulation {
     backend: Box<dyn Backend>,
     /// Inputs of the last frame stepped.
     inputs: Option<FrameInputs>,
+    /// What the image drawn last was drawn with.
+    drawn: Option<Frame>,
     next_frame: i32,
 }
 
@@ -136,6 +142,7 @@ impl Simulation {
             plan,
             backend,
             inputs: None,
+            drawn: None,
         }
     }
 
@@ -184,7 +191,7 @@ impl Simulation {
         }
         check_sizes(&self.plan, &inputs).map_err(SimulationError::Plan)?;
         // What holds for a whole run is the plan's: kernels index by it.
-        inputs.frame = crate::layout::Frame {
+        inputs.frame = Frame {
             frame: self.next_frame.cast_unsigned(),
             wind_count: inputs.winds.len() as u32,
             layer_plane_count: inputs.layer_planes.len() as u32,
@@ -225,6 +232,7 @@ impl Simulation {
     pub fn draw(&mut self) -> Result<(), SimulationError> {
         if let Some(inputs) = &self.inputs {
             self.backend.draw(inputs)?;
+            self.drawn = Some(inputs.frame);
         }
         Ok(())
     }
@@ -257,6 +265,7 @@ impl Simulation {
             index as u32 + 1
         };
         self.backend.draw(&inputs)?;
+        self.drawn = Some(inputs.frame);
         Ok(())
     }
 

@@ -189,14 +189,9 @@ fn an_unknown_adapter_is_answered_with_those_there_are() {
 #[test]
 fn an_output_that_cannot_be_is_refused_before_the_run() {
     let here = Workshop::new();
-    for ending in ["mp4", "exr"] {
-        let out = format!("a.{ending}");
-        render_refused(
-            &here,
-            &["-o", &out],
-            &[&out, "does not write", "yet", ".gif"],
-        );
-    }
+    let layers = ["-o", "a.mp4", "--layers"];
+    render_refused(&here, &layers, &["--layers", "name-%04d.png", ".exr"]);
+    render_refused(&here, &["-o", "a.exr"], &["a.exr", "10", "name-%04d.exr"]);
     render_refused(&here, &["-o", "a.jpg"], &["a.jpg", "does not write .jpg"]);
     render_refused(&here, &["-o", "a.png"], &["a.png", "10", "--frame"]);
     render_refused(&here, &["-o", "a-%04d.gif"], &["a-%04d.gif"]);

@@ -126,6 +126,10 @@ impl Backend for Shared {
         held.backend.draw(inputs)
     }
 
+    fn restore(&mut self, particles: &[u32], recent: &[FrameInputs]) -> Result<(), BackendError> {
+        self.0.borrow_mut().backend.restore(particles, recent)
+    }
+
     fn read(&mut self, buffer: &str) -> Result<Vec<u32>, BackendError> {
         self.0.borrow_mut().backend.read(buffer)
     }

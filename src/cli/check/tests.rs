@@ -60,6 +60,10 @@ impl Backend for Wrong {
         self.cpu.run_stage(stage, inputs)
     }
 
+    fn restore(&mut self, particles: &[u32], recent: &[FrameInputs]) -> Result<(), BackendError> {
+        self.cpu.restore(particles, recent)
+    }
+
     fn read(&mut self, buffer: &str) -> Result<Vec<u32>, BackendError> {
         let mut words = self.cpu.read(buffer)?;
         if self.is_wrong() && buffer == "image" {

@@ -8,9 +8,9 @@ use std::path::PathBuf;
 pub(in crate::cli) struct RenderArgs {
     /// A TOML file, or the name of a built-in scene (`motes scenes` lists them)
     pub(super) scene: String,
-    /// Where to: a folder or name-%04d.png (a PNG a frame), .png (one frame), .gif, .svg (one
-    /// frame as lines)
-    /// [default: PNGs under out/SCENE/]
+    /// Where to: a folder (a PNG a frame), name-%04d.png or name-%04d.exr (a file a frame), .png or
+    /// .exr (one frame), .gif, .mp4 (through ffmpeg), .svg (one frame as lines). EXR is linear and
+    /// not clamped [default: PNGs under out/SCENE/]
     #[arg(short, long, value_name = "OUT")]
     pub(super) output: Option<String>,
     /// Frames to draw, from A to before B [default: the whole scene]
@@ -19,8 +19,9 @@ pub(in crate::cli) struct RenderArgs {
     /// Draw this frame alone; the simulation starts as late as particles' lifetimes allow
     #[arg(long, value_name = "N")]
     pub(super) frame: Option<u32>,
-    /// Write each layer of the picture beside it, with alpha: name-LAYER.png. Layers sum to the
-    /// picture in light; files round that to bytes
+    /// Write each layer of the picture beside it, with alpha: name-LAYER.png, or .exr where that
+    /// is the output. Layers sum to the picture in light, before it is made linear for an EXR;
+    /// PNGs round that to bytes
     #[arg(long)]
     pub(super) layers: bool,
     /// Size of the picture in pixels

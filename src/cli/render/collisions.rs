@@ -15,10 +15,10 @@ pub(super) fn refuse(
     dumps: &[u32],
     dump_dir: &Path,
 ) -> Result<(), CliError> {
-    // Pictures end in .png or .gif and dumps in .ply, so that only statistics can be among them.
+    // No picture ends in .ply as dumps do, so that only statistics can be among them.
     let pictures = match stats {
         Some(stats) => picture_like(target, frames, stats),
-        None => picture(target, frames.start),
+        None => target.frame_path(frames.start),
     };
     let mut files = vec![("the pictures (-o)", pictures)];
     files.extend(stats.map(|stats| ("the statistics (--stats)", stats.to_owned())));
@@ -58,18 +58,10 @@ fn picture_like(target: &OutputTarget, frames: &Range<u32>, stats: &Path) -> Pat
     let stats_place = place(stats);
     frames
         .clone()
-        .map(|frame| picture(target, frame))
+        .map(|frame| target.frame_path(frame))
         // Names first: looking up a place asks the file system.
         .find(|path| path.file_name() == stats.file_name() && place(path) == stats_place)
-        .unwrap_or_else(|| picture(target, frames.start))
-}
-
-fn picture(target: &OutputTarget, frame: u32) -> PathBuf {
-    match target {
-        OutputTarget::Folder(folder) => folder.join(format!("frame-{frame:04}.png")),
-        OutputTarget::Pattern(pattern) => pattern.path(frame),
-        OutputTarget::Png(path) | OutputTarget::Gif(path) | OutputTarget::Svg(path) => path.clone(),
-    }
+        .unwrap_or_else(|| target.frame_path(frames.start))
 }
 
 /// The path from the root, without links and dots in as much of it as there is already.

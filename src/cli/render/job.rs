@@ -9,8 +9,9 @@ use super::journal::{Finished, Journal};
 use crate::cli::{CliError, progress_bar};
 use crate::layout::FrameStats;
 use crate::output::{
-    Drawing, FrameSink, Measured, OutputTarget, ParticleCounts, ParticleRecord, Rgba8Image,
-    StatsRow, StatsWriter, Written, dump_path, write_particles, write_png, write_svg,
+    Drawing, FrameSink, LinearImage, Measured, OutputTarget, ParticleCounts, ParticleRecord,
+    Picture, Pixels, Rgba8Image, StatsRow, StatsWriter, Written, dump_path, write_particles,
+    write_svg,
 };
 use crate::scene::Scene;
 use crate::simulation::Simulation;
@@ -122,12 +123,13 @@ impl Job<'_> {
                 return Ok(frame);
             }
             match (&mut self.pictures, &self.journal) {
-                (Pictures::Frames(sink), Some(journal)) if sink.is_animation() => {
+                (Pictures::Frames(sink), Some(journal)) if self.target.is_animation() => {
                     let Some(image) = journal.kept(frame) else {
                         return Ok(frame);
                     };
-                    summary.lit |= is_lit(&image);
-                    sink.write_frame(frame, &image)?;
+                    let picture = Picture::Bytes(image);
+                    summary.lit |= is_lit(&picture);
+                    sink.write_frame(frame, &picture)?;
                 }
                 _ => summary.lit = true,
             }
@@ -144,8 +146,10 @@ impl Job<'_> {
     fn files_of(&self, frame: u32) -> Vec<PathBuf> {
         let layers = self.layers.iter();
         let layers = layers.filter_map(|layer| self.target.layer_path(frame, layer));
-        let mut files: Vec<PathBuf> = self.target.frame_path(frame).into_iter().collect();
-        files.extend(layers);
+        let mut files: Vec<PathBuf> = layers.collect();
+        if !self.target.is_animation() {
+            files.push(self.target.frame_path(frame));
+        }
         if self.dumps.contains(&frame) {
             files.push(dump_path(self.dump_dir, "particles", frame));
         }
@@ -182,19 +186,23 @@ impl Job<'_> {
     ) -> Result<(), CliError> {
         for (index, name) in self.layers.iter().enumerate() {
             simulation.draw_layer(index)?;
-            let layer = image_of(simulation, scene)?.into_layer();
+            let what = format!("frame {frame}, layer {name}");
+            let pixels = self.target.pixels();
+            let layer = picture_of(simulation, scene, pixels, &what)?.into_layer();
             if let Some(path) = self.target.layer_path(frame, name) {
-                write_png(&path, &layer)?;
+                layer.write(&path)?;
             }
         }
         simulation.draw()?;
         match &mut self.pictures {
             Pictures::Frames(sink) => {
-                let image = image_of(simulation, scene)?;
-                summary.lit |= is_lit(&image);
-                sink.write_frame(frame, &image)?;
-                if let Some(journal) = self.journal.as_ref().filter(|_| sink.is_animation()) {
-                    journal.keep_frame(frame, &image)?;
+                let what = format!("frame {frame}");
+                let picture = picture_of(simulation, scene, sink.pixels(), &what)?;
+                summary.lit |= is_lit(&picture);
+                sink.write_frame(frame, &picture)?;
+                let kept = self.journal.as_ref().filter(|_| self.target.is_animation());
+                if let (Some(journal), Picture::Bytes(image)) = (kept, &picture) {
+                    journal.keep_frame(frame, image)?;
                 }
             }
             Pictures::Lines(path) => {
@@ -304,17 +312,40 @@ fn rows_of(line: &FrameStats, (state, image): (u64, u64)) -> Vec<String> {
     .into()
 }
 
-/// The image drawn last.
-fn image_of(simulation: &mut Simulation, scene: &Scene) -> Result<Rgba8Image, CliError> {
-    Ok(Rgba8Image {
-        width: scene.image.width,
-        height: scene.image.height,
-        pixels: simulation.image()?,
+/// The image drawn last, in the form that its file takes; `what` of the scene it shows.
+fn picture_of(
+    simulation: &mut Simulation,
+    scene: &Scene,
+    pixels: Pixels,
+    what: &str,
+) -> Result<Picture, CliError> {
+    let (width, height) = (scene.image.width, scene.image.height);
+    Ok(match pixels {
+        Pixels::Bytes => Picture::Bytes(Rgba8Image {
+            width,
+            height,
+            pixels: simulation.image()?,
+        }),
+        Pixels::Linear => Picture::Linear(LinearImage {
+            width,
+            height,
+            pixels: simulation.radiance()?,
+            is_layer: false,
+            comment: format!("{}, seed {}, {what}", scene.name, scene.seed),
+        }),
     })
 }
 
 /// Whether there is anything to see: a pixel that differs from the first.
-fn is_lit(image: &Rgba8Image) -> bool {
-    let (pixels, _) = image.pixels.as_chunks::<4>();
-    pixels.iter().any(|pixel| Some(pixel) != pixels.first())
+fn is_lit(picture: &Picture) -> bool {
+    match picture {
+        Picture::Bytes(image) => {
+            let (pixels, _) = image.pixels.as_chunks::<4>();
+            pixels.iter().any(|pixel| Some(pixel) != pixels.first())
+        }
+        Picture::Linear(image) => {
+            let mut pixels = image.pixels.iter();
+            pixels.any(|pixel| Some(pixel) != image.pixels.first())
+        }
+    }
 }

@@ -23,7 +23,6 @@ use request::Request;
 pub(super) use args::RenderArgs;
 
 /// Renders; the exit code: that of a shell for what was stopped, if it was asked to stop.
-
 pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
     let begun = Instant::now();
     let request = request::request(&args)?;
@@ -46,8 +45,8 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
     say_where(&args, &simulation, scene);
     say_what_is_beyond(&request);
     // First of all outputs, so that it knows who began what is left of them.
-    let has_files = target.frame_path(0).is_some();
-    let kept = if args.resume || (has_files && frames.len() > 1) {
+    let has_files = !target.is_animation() && frames.len() > 1;
+    let kept = if args.resume || has_files {
         journal(&args, &request, &simulation)?
     } else {
         None

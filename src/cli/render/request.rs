@@ -73,8 +73,8 @@ pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
     collisions::refuse(&target, &frames, &layers, stats, &args.dump, &dump_dir)?;
     if args.layers && target.layer_path(0, "").is_none() {
         return Err(CliError::usage(
-            "--layers writes PNGs beside those of the frames, and this output has none",
-            "a folder, name-%04d.png or name.png after -o",
+            "--layers writes files beside those of the frames, and this output has none",
+            "a folder, name-%04d.png or name.png, or .exr instead of .png, after -o",
         ));
     }
     if matches!(target, OutputTarget::Svg(_)) && frames.len() > 1 {
@@ -87,15 +87,12 @@ pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
         ));
     }
     if args.no_clobber && !args.resume {
-        let pictures = frames.clone().filter_map(|frame| target.frame_path(frame));
+        let pictures = frames.clone().map(|frame| target.frame_path(frame));
         let dumps = args
             .dump
             .iter()
             .map(|frame| dump_path(&dump_dir, "particles", *frame));
-        let mut files = pictures
-            .chain([target.path()])
-            .chain(args.stats.clone())
-            .chain(dumps);
+        let mut files = pictures.chain(args.stats.clone()).chain(dumps);
         if let Some(file) = files.find(|file| file.is_file()) {
             return Err(CliError::usage(
                 format!("{} is there already", file.display()),

@@ -6,6 +6,7 @@ use super::histogram::Histogram;
 use super::mask;
 use super::mixing::Mixing;
 use super::palette::Palette;
+use crate::output::picture::over_black;
 
 /// A pixel's shown colour is kept while its wanted colour stays this near (a channel) to the one it was chosen for:
 /// too little to see, and noise of that size costs half the file.
@@ -122,7 +123,8 @@ impl Canvas {
             .map(|(((wanted, rgba), meant), shown)| {
                 let (pixels, _) = rgba.as_chunks::<4>();
                 for (x, wanted) in wanted.iter_mut().enumerate() {
-                    let colour = over_black(pixels[x]);
+                    let [red, green, blue] = over_black(pixels[x]);
+                    let colour = u32::from_le_bytes([red, green, blue, 0]);
                     let keep = !is_first && keeps(colour, meant[x], shown[x]);
                     *wanted = if keep { KEEP } else { colour };
                 }
@@ -152,13 +154,4 @@ fn keeps(wanted: u32, meant: u32, shown: u32) -> bool {
             .map(|(wanted, meant)| wanted.abs_diff(meant))
             .fold(0, u8::max)
             <= KEPT_DIFFERENCE
-}
-
-/// A straight-alpha pixel over black, packed.
-fn over_black([red, green, blue, alpha]: [u8; 4]) -> u32 {
-    if alpha == 255 {
-        return u32::from_le_bytes([red, green, blue, 0]);
-    }
-    let faded = |channel: u8| ((u16::from(channel) * u16::from(alpha) + 127) / 255) as u8;
-    u32::from_le_bytes([faded(red), faded(green), faded(blue), 0])
 }
