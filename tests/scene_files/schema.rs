@@ -1,0 +1,403 @@
+//! The JSON Schema and the reader say the same of a scene file.
+//!
+//! What differs is listed here: rules between keys, which are the reader's, and what JSON cannot
+//! tell apart.
+
+use std::sync::OnceLock;
+
+use jsonschema::{Validator, draft7, draft202012};
+use serde_json::Value;
+use toml::de::{DeTable, DeValue};
+
+use motes::scene::schema::{self, Field, Kind, json_schema};
+use motes::scene::{BUILTIN, parse};
+
+use crate::keyed::CHANGING;
+use crate::keys::KEYS;
+use crate::text::{FILE, FULL, KEYED, MINIMAL, fields_of, with, with_line_before, without};
+
+fn schema() -> Value {
+    serde_json::from_str(&json_schema()).expect("the schema is JSON")
+}
+
+/// A scene file as editors give it to a validator; what JSON cannot say is null.
+fn json(text: &str) -> Value {
+    fn value(toml: &DeValue<'_>) -> Value {
+        match toml {
+            DeValue::String(text) => Value::from(text.as_ref()),
+            DeValue::Integer(digits) => {
+                let number = i64::from_str_radix(digits.as_str(), digits.radix());
+                Value::from(number.expect("a whole number"))
+            }
+            DeValue::Float(digits) => {
+                Value::from(digits.as_str().parse::<f64>().expect("a number"))
+            }
+            DeValue::Boolean(flag) => Value::from(*flag),
+            DeValue::Datetime(_) => Value::Null,
+            DeValue::Array(items) => items.iter().map(|item| value(item.get_ref())).collect(),
+            DeValue::Table(entries) => table(entries),
+        }
+    }
+    fn table(entries: &DeTable<'_>) -> Value {
+        let entries = entries.iter();
+        let entries =
+            entries.map(|(key, entry)| (key.get_ref().to_string(), value(entry.get_ref())));
+        Value::Object(entries.collect())
+    }
+    table(DeTable::parse(text).expect("TOML").get_ref())
+}
+
+fn schema_takes(text: &str) -> bool {
+    static VALIDATOR: OnceLock<Validator> = OnceLock::new();
+    let validator = VALIDATOR.get_or_init(|| draft202012::new(&schema()).expect("a schema"));
+    validator.is_valid(&json(text))
+}
+
+fn reader_takes(text: &str) -> bool {
+    parse(text, FILE, "some").is_ok()
+}
+
+/// Both take it.
+#[track_caller]
+fn both_take(text: &str, what: &str) {
+    assert!(reader_takes(text), "the reader refuses {what}:\n{text}");
+    assert!(schema_takes(text), "the schema refuses {what}:\n{text}");
+}
+
+/// Both refuse it.
+#[track_caller]
+fn both_refuse(text: &str, what: &str) {
+    assert!(!reader_takes(text), "the reader takes {what}:\n{text}");
+    assert!(!schema_takes(text), "the schema takes {what}:\n{text}");
+}
+
+#[test]
+fn the_schema_is_one() {
+    assert!(draft202012::meta::is_valid(&schema()));
+    // Nothing that the tables say is lost: as many keys as they have.
+    let text = json_schema();
+    for &(_, key, ..) in KEYS {
+        assert!(text.contains(&format!("\"title\": \"{key}\"")), "{key}");
+    }
+    for source in ["Reeves 2.1", "Perry 3.2.3"] {
+        assert!(text.contains(&format!("Source: {source}.")), "{source}");
+    }
+}
+
+#[test]
+fn every_scene_is_valid() {
+    // Editors that know older drafts alone refuse nothing right.
+    let older = draft7::new(&schema()).expect("a schema");
+    let texts = BUILTIN.iter().map(|scene| (scene.name, scene.text));
+    for (name, text) in texts.chain([("full", FULL), ("keyed", KEYED), ("minimal", MINIMAL)]) {
+        both_take(text, name);
+        assert!(older.is_valid(&json(text)), "{name}");
+    }
+}
+
+#[test]
+fn every_sample_is_valid_and_nothing_wrong_is() {
+    // JSON makes no difference between 640.0 and 640.
+    let same_in_json = [("image", "width"), ("", "seed")];
+    for &(section, key, wrong_kind, out_of_range, _) in KEYS {
+        let fields = fields_of(section);
+        let field = fields
+            .iter()
+            .find(|field| field.key == key)
+            .expect("a key of the schema");
+        let what = format!("{section}.{key}");
+        both_take(&with(section, key, field.sample()), &what);
+        both_refuse(&with(section, key, out_of_range), &what);
+        let wrong_kind = with(section, key, wrong_kind);
+        if same_in_json.contains(&(section, key)) {
+            assert!(
+                !reader_takes(&wrong_kind) && schema_takes(&wrong_kind),
+                "{what}"
+            );
+        } else {
+            both_refuse(&wrong_kind, &what);
+        }
+        both_refuse(
+            &with_line_before(section, key, "zebra = 1"),
+            &format!("zebra by {what}"),
+        );
+    }
+}
+
+#[test]
+fn the_ends_of_every_range_are_valid_and_what_is_past_them_is_not() {
+    for &(section, key, ..) in KEYS {
+        let fields = fields_of(section);
+        let field = fields
+            .iter()
+            .find(|field| field.key == key)
+            .expect("a key of the schema");
+        for (part, text) in parts(section, field) {
+            let Kind::Numbers { count, limits, .. } = part.kind else {
+                continue;
+            };
+            let value = |number: f64| match count {
+                1 => format!("{number}"),
+                _ => format!("[{}]", vec![format!("{number}"); count].join(", ")),
+            };
+            let what = format!("{section}.{key} {}", part.key);
+            for (end, past) in [(limits.min, -1.0), (limits.max, 1.0)] {
+                // Rules between keys are the reader's alone.
+                assert!(schema_takes(&text(&value(end))), "{what} {end}");
+                let past = end + past * f64::max(end.abs() * 1e-9, 1e-9);
+                both_refuse(&text(&value(past)), &format!("{what} {past}"));
+            }
+            if count > 1 {
+                let numbers = vec![format!("{}", limits.max / 2.0); count + 1];
+                both_refuse(&text(&format!("[{}]", numbers.join(", "))), &what);
+                both_refuse(&text(&numbers[0]), &what);
+            }
+        }
+    }
+}
+
+/// A key's rows, those of its parts if it is a spread, each with the scene that has a value there.
+fn parts(
+    section: &'static str,
+    field: &'static Field,
+) -> Vec<(Field, Box<dyn Fn(&str) -> String>)> {
+    let Kind::Randomised { count, .. } = field.kind else {
+        let text = move |value: &str| with(section, field.key, value);
+        return vec![(*field, Box::new(text))];
+    };
+    let mean = if count == 1 {
+        "mean = 1, "
+    } else {
+        "mean = [1, 1, 1], "
+    };
+    let parts = field.randomised_fields().into_iter();
+    let text = move |part: &'static str| {
+        let mean = if part == "mean" { "" } else { mean };
+        move |value: &str| with(section, field.key, &format!("{{ {mean}{part} = {value} }}"))
+    };
+    parts
+        .map(|part| {
+            (
+                part,
+                Box::new(text(part.key)) as Box<dyn Fn(&str) -> String>,
+            )
+        })
+        .collect()
+}
+
+#[test]
+fn keys_over_frames_are_valid_where_the_reader_takes_them_and_nowhere_else() {
+    for &(section, key, ..) in KEYS {
+        let fields = fields_of(section);
+        let field = fields
+            .iter()
+            .find(|field| field.key == key)
+            .expect("a key of the schema");
+        let changing = CHANGING.iter().find(|row| (row.0, row.1) == (section, key));
+        assert_eq!(field.keyed, changing.is_some(), "{section}.{key}");
+        let Some(&(_, _, from, to)) = changing else {
+            let value = match field.kind {
+                Kind::Randomised { .. } => "1",
+                _ => field.sample(),
+            };
+            let value = format!("{{ keys = [[0, {value}]] }}");
+            both_refuse(
+                &with(section, key, &value),
+                &format!("keys of {section}.{key}"),
+            );
+            continue;
+        };
+        let right = format!("[[2.5, {from}], [7, {to}]]");
+        for interpolation in schema::INTERPOLATIONS {
+            let value = format!("{{ keys = {right}, interpolation = \"{interpolation}\" }}");
+            both_take(&with(section, key, &value), &value);
+        }
+        #[rustfmt::skip]
+        let wrong = [
+            "{ keys = [] }".to_owned(),
+            format!("{{ keys = {from} }}"),
+            format!("{{ keys = [[0]], interpolation = \"{}\" }}", "linear"),
+            format!("{{ keys = [[0, {from}, {to}]] }}"),
+            format!("{{ keys = [[-65_001, {from}]] }}"),
+            format!("{{ keys = [[1_000_001, {from}]] }}"),
+            format!("{{ keys = [[\"0\", {from}]] }}"),
+            "{ keys = [[0, \"x\"]] }".to_owned(),
+            "{ keys = [[0, [1, 2, 3, 4]]] }".to_owned(),
+            format!("{{ keys = {right}, interpolation = \"cubic\" }}"),
+            format!("{{ keys = {right}, zebra = 1 }}"),
+            "{ interpolation = \"step\" }".to_owned(),
+            format!("{{ keys = [{}] }}", vec![format!("[0, {from}]"); 1001].join(", ")),
+        ];
+        for value in wrong {
+            both_refuse(&with(section, key, &value), &format!("{section}.{key}"));
+        }
+    }
+    for key in ["speed", "lifetime", "color", "transparency", "size"] {
+        let field = fields_of("system").iter().find(|field| field.key == key);
+        for (part, text) in parts("system", field.expect("a key of a system")) {
+            let value = if key == "color" { "[1, 1, 1]" } else { "1" };
+            both_take(&text(&format!("{{ keys = [[0, {value}]] }}")), part.key);
+            both_refuse(&text("{ keys = [[0, 1e9]] }"), part.key);
+        }
+    }
+    let burst = with("burst", "parts", "{ mean = { keys = [[0, 1]] } }");
+    both_refuse(&burst, "keys in a burst");
+}
+
+#[test]
+fn what_must_be_written_must_be_in_both() {
+    let mut required = 0;
+    for &(section, key, ..) in KEYS {
+        if section.starts_with("generation_shape.") {
+            continue;
+        }
+        let text = without(section, key);
+        // One of the two ways to give births must be there: a rule between keys.
+        if key.starts_with("initial_mean_parts") {
+            assert!(!reader_takes(&text) || section != "system" || key.ends_with("_per_area"));
+            assert!(schema_takes(&text), "{key}");
+        } else if reader_takes(&text) {
+            both_take(&text, key);
+        } else {
+            required += 1;
+            both_refuse(&text, key);
+        }
+    }
+    assert!(required > 30, "{required}");
+    for shape in schema::GENERATION_SHAPES {
+        for left_out in shape.fields {
+            let others = shape
+                .fields
+                .iter()
+                .filter(|field| field.key != left_out.key);
+            let others: String = others
+                .map(|field| format!(", {} = {}", field.key, field.sample()))
+                .collect();
+            let value = format!("{{ kind = \"{}\"{others} }}", shape.name);
+            both_refuse(&with("system", "generation_shape", &value), &value);
+        }
+    }
+}
+
+#[test]
+fn wrong_files_are_wrong_in_both() {
+    let system = MINIMAL.find("[[system]]").expect("it is there");
+    let (head, system) = (&MINIMAL[..system], &MINIMAL[system..]);
+    let many = |count: usize, one: &str| {
+        let numbered = |i: usize| one.replace('#', &i.to_string());
+        (0..count).map(numbered).collect::<String>()
+    };
+    let layer = "[[layer]]\nname = \"l#\"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\n";
+    let wind = "[[wind]]\nkind = \"uniform\"\nvelocity = [0, 0, 0]\n";
+    let burst = "[[system.burst]]\nframe = 1\nparts = 1\n";
+    let plane = "[[system.extinction]]\nkind = \"plane\"\npoint = [0, 0, 0]\nnormal = [0, 1, 0]\n";
+    let ascending = |count: usize| {
+        let frames: Vec<String> = (0..count).map(|i| i.to_string()).collect();
+        format!("[{}]", frames.join(", "))
+    };
+    for (one, most) in [(layer, 8), (wind, 16), (burst, 64), (plane, 16)] {
+        both_take(&format!("{MINIMAL}{}", many(most, one)), one);
+        both_refuse(&format!("{MINIMAL}{}", many(most + 1, one)), one);
+    }
+    both_take(
+        &with("system", "trigger_frames", &ascending(256)),
+        "256 triggers",
+    );
+    both_refuse(
+        &with("system", "trigger_frames", &ascending(257)),
+        "257 triggers",
+    );
+    both_refuse(
+        &with("system", "trigger_frames", "[1, 1]"),
+        "a trigger twice",
+    );
+    #[rustfmt::skip]
+    let cases = [
+        String::new(),
+        head.to_owned(),
+        system.to_owned(),
+        "camera = 3\n".to_owned() + system,
+        "camera = []\n".to_owned() + system,
+        "image = 3\n".to_owned() + MINIMAL,
+        "image = [{}]\n".to_owned() + MINIMAL,
+        "system = []\n".to_owned() + head,
+        "system = [1]\n".to_owned() + head,
+        "system = {}\n".to_owned() + head,
+        "wind = {}\n".to_owned() + MINIMAL,
+        "wind = [{}]\n".to_owned() + MINIMAL,
+        "wind = [{ kind = \"noise\" }]\n".to_owned() + MINIMAL,
+        "wind = [{ kind = \"breeze\", velocity = [0, 0, 0] }]\n".to_owned() + MINIMAL,
+        "wind = [{ kind = [\"noise\"], strength = 1 }]\n".to_owned() + MINIMAL,
+        "wind = [{ kind = \"uniform\", velocity = [0, 0, 0], strength = 1 }]\n".to_owned() + MINIMAL,
+        "wind = [{ velocity = [0, 0, 0] }]\n".to_owned() + MINIMAL,
+        "layer = [{ name = \"rest\", point = [0, 0, 0], normal = [0, 0, 1] }]\n".to_owned() + MINIMAL,
+        "layer = [{ name = \"particles\", point = [0, 0, 0], normal = [0, 0, 1] }]\n".to_owned() + MINIMAL,
+        with("system", "generation_shape", "{ radius = 1 }"),
+        with("system", "generation_shape", "{ kind = \"sphere\", radius = 1, width = 1 }"),
+        with("system", "speed", "{ var = 1 }"),
+        with("system", "speed", "{ mean = 1, rate = 1 }"),
+        with("system", "speed", "{ mean = 1, keys = [[0, 1]] }"),
+        with("system", "speed", "[1]"),
+        with("system", "color", "1"),
+        with("system", "color", "[1, 1]"),
+        with("system", "color", "{ mean = 1 }"),
+        with("system", "color", "{}"),
+        with("system", "position", "[0, 0, \"0\"]"),
+        with("", "title", &format!("\"{}\"", "x".repeat(201))),
+        with("", "title", "\"tab\\there\""),
+        with("", "description", "\"tab\\there\""),
+        with("", "frames", "[]"),
+    ];
+    for case in cases {
+        both_refuse(&case, "this");
+    }
+    let names = ["a", "_", "é", "x1-_٣", &"n".repeat(64), "Ω", "字"];
+    for name in names {
+        both_take(&with("system", "name", &format!("\"{name}\"")), name);
+    }
+    let names = [
+        "",
+        "-",
+        "1",
+        "a b",
+        "a.b",
+        "a\\n",
+        &"n".repeat(65),
+        "٣",
+        "a\u{301}!",
+        "x/y",
+    ];
+    for name in names {
+        both_refuse(&with("system", "name", &format!("\"{name}\"")), name);
+    }
+    both_take(&with("", "description", "\"a\\nb\""), "two lines");
+    both_take(
+        &with("", "title", &format!("\"{}\"", "é".repeat(200))),
+        "200 characters",
+    );
+    // What is left out of a spread with a default is its default's.
+    both_take(&with("system", "transparency", "{ var = 0.5 }"), "no mean");
+    both_take(&with("system", "transparency", "{}"), "nothing");
+}
+
+#[test]
+fn rules_between_keys_are_the_readers_alone() {
+    #[rustfmt::skip]
+    let cases = [
+        with("camera", "target", "[0, 1, 5]"),
+        with("camera", "up", "[0, 0, 0]"),
+        with("system", "end_frame", "2"),
+        with("system", "name", "\"second\""),
+        with("system", "trigger_frames", "[1, 0]"),
+        with("system", "lifetime", "{ mean = 65_000, var = 1 }"),
+        with("system", "generation_shape", "{ kind = \"ring\", inner_radius = 2, outer_radius = 1 }"),
+        with("extinction.box", "max", "[-2, 2, 2]"),
+        with("image", "width", "4096").replace("height = 360", "height = 4096"),
+        with_line_before("system", "speed", "var_parts_per_area = 1"),
+        with("system", "speed", "{ keys = [[1, 1], [0, 1]] }"),
+        with("layer", "normal", "[0, 1e-7, 0]"),
+    ];
+    for case in cases {
+        assert!(!reader_takes(&case) && schema_takes(&case), "{case}");
+    }
+}
