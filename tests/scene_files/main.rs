@@ -6,6 +6,7 @@ mod keyed;
 mod keyed_rules;
 mod keys;
 mod kinds;
+mod knobs;
 mod load;
 mod presence;
 mod reach;
