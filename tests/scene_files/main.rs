@@ -1,6 +1,7 @@
 //! Scene files: what is accepted, and that what is not is refused with file, line, column, key
 //! and what would be right.
 
+mod commands;
 mod hostile;
 mod keyed;
 mod keyed_rules;

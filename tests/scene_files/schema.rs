@@ -84,6 +84,52 @@ fn the_schema_is_one() {
     }
 }
 
+/// Every default and example in a schema, with the part of the schema that it stands in.
+fn samples<'a>(schema: &'a Value, found: &mut Vec<(&'a Value, &'a Value)>) {
+    // Under `properties`, these words would be keys of scene files.
+    for value in schema.get("default").into_iter() {
+        found.push((schema, value));
+    }
+    for value in schema
+        .get("examples")
+        .and_then(Value::as_array)
+        .into_iter()
+        .flatten()
+    {
+        found.push((schema, value));
+    }
+    let lists = ["anyOf", "oneOf", "prefixItems"].into_iter();
+    for part in lists.filter_map(|key| schema[key].as_array()).flatten() {
+        samples(part, found);
+    }
+    for part in schema["properties"]
+        .as_object()
+        .into_iter()
+        .flat_map(|keys| keys.values())
+    {
+        samples(part, found);
+    }
+    if schema["items"].is_object() {
+        samples(&schema["items"], found);
+    }
+}
+
+#[test]
+fn every_default_and_example_in_it_is_valid_there() {
+    let schema = schema();
+    let mut found = Vec::new();
+    samples(&schema, &mut found);
+    assert!(found.len() > 150, "{}", found.len());
+    for (schema, value) in found {
+        let validator = draft202012::new(schema).expect("a schema");
+        assert!(
+            validator.is_valid(value),
+            "{value}: {}",
+            schema["description"]
+        );
+    }
+}
+
 #[test]
 fn every_scene_is_valid() {
     // Editors that know older drafts alone refuse nothing right.

@@ -151,12 +151,18 @@ fn value(field: &Field) -> Json {
             ("items", whole(min.into(), max.into())),
         ]),
         Kind::Flag => Json::object([("type", "boolean".into())]),
-        Kind::Numbers { .. } => one_of_any(numbers_with_keys(field)),
+        Kind::Numbers { .. } => {
+            let tables = field.keyed.then(|| keys(numbers(field)));
+            or_tables(numbers(field), tables.into_iter().collect())
+        }
         Kind::Randomised { .. } => {
             let parts = field.randomised_fields();
-            let mut forms = parts.first().map_or_else(Vec::new, numbers_with_keys);
-            forms.push(table(&parts));
-            one_of_any(forms)
+            let mean = parts.first().map_or(Json::Null, numbers);
+            let mut tables = vec![table(&parts)];
+            if field.keyed {
+                tables.push(keys(mean.clone()));
+            }
+            or_tables(mean, tables)
         }
         Kind::Choice(words) => words_of(words),
         Kind::Table(fields) => table(fields),
@@ -194,29 +200,54 @@ fn array(least: usize, most: usize, items: Json) -> Json {
     ])
 }
 
-/// The forms that a [`Kind::Numbers`] can have.
-fn numbers_with_keys(field: &Field) -> Vec<Json> {
+/// A [`Kind::Numbers`] without keys.
+fn numbers(field: &Field) -> Json {
     let Kind::Numbers {
         count,
         limits,
         nonzero,
     } = field.kind
     else {
-        return Vec::new();
+        return Json::Null;
     };
-    let mut numbers = match count {
+    let numbers = match count {
         1 => number(limits),
         _ => array(count, count, number(limits)),
     };
     if nonzero {
         let other = Json::object([("not", Json::object([("const", Json::Whole(0))]))]);
-        numbers = numbers.with("contains", other);
-    }
-    if field.keyed {
-        vec![numbers.clone(), keys(numbers)]
+        numbers.with("contains", other)
     } else {
-        vec![numbers]
+        numbers
     }
+}
+
+/// What is no table, or one of these tables. What is said of numbers and arrays does not touch
+/// tables, nor the other way round, so all stand side by side: a number out of range is called
+/// that, and not a value that is none of several things.
+fn or_tables(plain: Json, tables: Vec<Json>) -> Json {
+    let (Json::Object(mut entries), false) = (plain.clone(), tables.is_empty()) else {
+        return plain;
+    };
+    if let Some((_, kind)) = entries.iter_mut().find(|(key, _)| key == "type") {
+        *kind = Json::Array(vec![kind.clone(), "object".into()]);
+    }
+    let untyped = |table: Json| match table {
+        Json::Object(entries) => entries
+            .into_iter()
+            .filter(|(key, _)| key != "type")
+            .collect(),
+        _ => Vec::new(),
+    };
+    let mut tables: Vec<_> = tables.into_iter().map(untyped).collect();
+    match tables.len() {
+        1 => entries.extend(tables.swap_remove(0)),
+        _ => {
+            let tables = tables.into_iter().map(Json::Object).collect();
+            entries.push(("anyOf".to_owned(), Json::Array(tables)));
+        }
+    }
+    Json::Object(entries)
 }
 
 fn number(Limits { min, max }: Limits) -> Json {
@@ -250,13 +281,6 @@ fn keys(value: Json) -> Json {
     let properties = [("keys", keys), ("interpolation", interpolation)];
     let properties = properties.map(|(key, value)| (key.to_owned(), value));
     object(properties.into(), vec!["keys"])
-}
-
-fn one_of_any(mut forms: Vec<Json>) -> Json {
-    match forms.len() {
-        1 => forms.swap_remove(0),
-        _ => Json::object([("anyOf", Json::Array(forms))]),
-    }
 }
 
 /// A table that goes by its kind. The kinds stand before the tables too, so that a wrong one is
