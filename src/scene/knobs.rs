@@ -223,10 +223,7 @@ fn is_free(field: &Field, node: Option<&Node>) -> bool {
     } else {
         return true;
     };
-    match (
-        own.iter().any(|key| is_written(key)),
-        other.iter().any(|key| is_written(key)),
-    ) {
+    match (own.iter().any(&is_written), other.iter().any(is_written)) {
         (written, false) => written || field.key == own[0],
         (_, true) => false,
     }

@@ -14,6 +14,7 @@ mod reach;
 mod reference;
 mod rules;
 mod schema;
+mod schema_files;
 mod set;
 mod text;
 mod tracks;
