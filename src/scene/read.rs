@@ -57,20 +57,42 @@ impl<'a> Reader<'a> {
             let key = shortened(key);
             return Err(at.error(format!("there is no key `{key}` {place}"), help));
         }
-        let table = Self {
+        Ok(Self {
             path,
             fields,
             node,
             all: None,
-        };
-        table.has_all_required()?;
-        Ok(table)
+        })
     }
 
-    /// A key that is missing here has not gone to a table inside, below whose header it stands.
-    fn is_nowhere_inside(&self, key: &str) -> Result<(), SceneError> {
+    /// The error of all keys that must be written and are not, `key` among them.
+    fn all_missing(&self, key: &str) -> SceneError {
+        let is_missing = |field: &&Field| {
+            matches!(field.presence, Presence::Required(_)) && !self.has(field.key)
+        };
+        let missing: Vec<&Field> = self.fields.iter().filter(is_missing).collect();
+        if let Some(error) = missing.iter().find_map(|field| self.inside(field.key)) {
+            return error;
+        }
+        match missing.as_slice() {
+            [] | [_] => self.missing(key),
+            [fields @ .., last] => {
+                let list = |of: &dyn Fn(&Field) -> String| {
+                    let first: Vec<String> = fields.iter().map(|field| of(field)).collect();
+                    format!("{} and {}", first.join(", "), of(last))
+                };
+                let paths = list(&|field| format!("`{}`", self.path_of(field.key)));
+                let help = format!("add {}", list(&example));
+                self.node.at.error(format!("{paths} are missing"), help)
+            }
+        }
+    }
+
+    /// The error of a key that is missing here, and stands in a table inside below whose header it
+    /// has been written.
+    fn inside(&self, key: &str) -> Option<SceneError> {
         let Value::Table(entries) = &self.node.value else {
-            return Ok(());
+            return None;
         };
         for Entry {
             key: inner, node, ..
@@ -80,44 +102,19 @@ impl<'a> Reader<'a> {
             let tables = match &node.value {
                 Value::Array(items) => {
                     let numbered = items.iter().enumerate();
-                    numbered
-                        .map(|(at, item)| (format!("{path}.{at}"), item))
-                        .collect()
+                    let path = |(at, item)| (format!("{path}.{at}"), item);
+                    numbered.map(path).collect()
                 }
                 _ => vec![(path, node)],
             };
             for (path, table) in tables {
                 if let Some(entry) = table.entry(key) {
                     let what = format!("there is no key `{key}` in `{path}`");
-                    return Err(entry.at.error(what, outer_table(&path, key)));
+                    return Some(entry.at.error(what, outer_table(&path, key)));
                 }
             }
         }
-        Ok(())
-    }
-
-    /// Everything that must be written is; else all that is not is named at once.
-    fn has_all_required(&self) -> Result<(), SceneError> {
-        let is_missing = |field: &&Field| {
-            matches!(field.presence, Presence::Required(_)) && !self.has(field.key)
-        };
-        let missing: Vec<&Field> = self.fields.iter().filter(is_missing).collect();
-        for field in &missing {
-            self.is_nowhere_inside(field.key)?;
-        }
-        match missing.as_slice() {
-            [] => Ok(()),
-            [field] => Err(self.missing(field.key)),
-            [fields @ .., last] => {
-                let list = |of: &dyn Fn(&Field) -> String| {
-                    let first: Vec<String> = fields.iter().map(|field| of(field)).collect();
-                    format!("{} and {}", first.join(", "), of(last))
-                };
-                let paths = list(&|field| format!("`{}`", self.path_of(field.key)));
-                let help = format!("add {}", list(&example));
-                Err(self.node.at.error(format!("{paths} are missing"), help))
-            }
-        }
+        None
     }
 
     /// The same where the key's value is written in place of the table, so that it has its path.
@@ -156,7 +153,7 @@ impl<'a> Reader<'a> {
         }
         let Presence::Default(text) = field.presence else {
             return match field.presence {
-                Presence::Required(_) => Err(self.missing(key)),
+                Presence::Required(_) => Err(self.all_missing(key)),
                 _ => Ok(None),
             };
         };
