@@ -77,6 +77,7 @@ pub mod cli;
 pub mod cpu;
 pub mod exact;
 pub mod gpu;
+mod json;
 pub mod layout;
 pub mod noise;
 pub mod output;

@@ -2,6 +2,7 @@
 
 use super::{CliError, print};
 use crate::gpu::AdapterDescription;
+pub(crate) use crate::json::quoted;
 
 /// Arguments of `motes adapters`.
 #[derive(Debug, clap::Args)]
@@ -57,18 +58,4 @@ fn json(adapters: &[AdapterDescription]) -> String {
         })
         .collect();
     format!("[\n{}\n]\n", lines.join(",\n"))
-}
-
-/// A JSON string.
-pub(crate) fn quoted(text: &str) -> String {
-    let mut quoted = String::from("\"");
-    for c in text.chars() {
-        match c {
-            '"' => quoted += "\\\"",
-            '\\' => quoted += "\\\\",
-            c if c.is_control() => quoted += &format!("\\u{:04x}", u32::from(c)),
-            c => quoted.push(c),
-        }
-    }
-    quoted + "\""
 }

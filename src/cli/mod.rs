@@ -4,6 +4,7 @@ mod adapters;
 mod check;
 mod render;
 mod scenes;
+mod schema;
 
 use std::io::{IsTerminal, Write};
 
@@ -38,8 +39,10 @@ enum Command {
     Check(check::CheckArgs),
     /// List the adapters that scenes can run on, best first
     Adapters(adapters::AdaptersArgs),
-    /// List the built-in scenes
+    /// List the built-in scenes, or what can be changed in one
     Scenes(scenes::ScenesArgs),
+    /// Describe every key of a scene file, for editors or for people
+    Schema(schema::SchemaArgs),
 }
 
 /// What a command has to say when it cannot do its work, and with which exit code.
@@ -145,6 +148,7 @@ pub fn main() -> u8 {
         Command::Check(args) => check::run(&args),
         Command::Adapters(args) => adapters::run(&args),
         Command::Scenes(args) => scenes::run(&args),
+        Command::Schema(args) => schema::run(&args),
     };
     match result {
         Ok(code) => code,

@@ -1,7 +1,9 @@
-//! `motes scenes`: what is built in.
+//! `motes scenes`: what is built in, and what can be changed in a scene.
 
 use super::{CliError, print};
-use crate::scene::{BUILTIN, load};
+use crate::json::Json;
+use crate::scene::schema::Kind;
+use crate::scene::{BUILTIN, Knob, KnobValue, knobs, load};
 
 /// Arguments of `motes scenes`.
 #[derive(Debug, clap::Args)]
@@ -9,9 +11,24 @@ pub(super) struct ScenesArgs {
     /// Print the TOML text of one scene, to start your own from
     #[arg(long, value_name = "SCENE")]
     show: Option<String>,
+    /// List every number, flag and choice of a scene that `--set` can change
+    #[arg(long, value_name = "SCENE", conflicts_with = "show")]
+    knobs: Option<String>,
+    /// Print the knobs as JSON
+    #[arg(long, requires = "knobs")]
+    json: bool,
 }
 
 pub(super) fn run(args: &ScenesArgs) -> Result<u8, CliError> {
+    if let Some(scene) = &args.knobs {
+        let knobs = knobs(scene)?;
+        print(&if args.json {
+            json(&knobs)
+        } else {
+            list(&knobs)
+        })?;
+        return Ok(0);
+    }
     if let Some(name) = &args.show {
         // Loading first gives the message about the nearest names.
         load(name)?;
@@ -50,4 +67,79 @@ pub(super) fn run(args: &ScenesArgs) -> Result<u8, CliError> {
     }
     print(&text)?;
     Ok(0)
+}
+
+/// For people: a line as `--set` takes it, and one about it.
+fn list(knobs: &[Knob]) -> String {
+    let mut text = format!(
+        "{} knobs: change one by --set 'PATH=VALUE', in quotes for the shell.\n",
+        knobs.len()
+    );
+    let table = |knob: &Knob| {
+        knob.path
+            .rsplit_once('.')
+            .map(|(table, _)| table.to_owned())
+    };
+    let mut last = None;
+    for knob in knobs {
+        let table = table(knob);
+        if table != last {
+            text.push('\n');
+        }
+        last = table;
+        let (line, origin) = match &knob.value {
+            KnobValue::Written(toml) => (format!("{}={toml}", knob.path), "the scene's"),
+            KnobValue::Default(toml) => (format!("{}={toml}", knob.path), "default"),
+            KnobValue::None => (format!("{}=", knob.path), "none"),
+        };
+        let keys = if knob.has_keys { " by keys" } else { "" };
+        let (about, right) = (&knob.about, knob.right());
+        text += &format!("{line}\n    {about} ({origin}{keys}; {right})\n");
+    }
+    text
+}
+
+fn json(knobs: &[Knob]) -> String {
+    let knobs = knobs.iter().map(|knob| {
+        let (value, from) = match &knob.value {
+            KnobValue::Written(toml) => (toml.as_str().into(), "scene"),
+            KnobValue::Default(toml) => (toml.as_str().into(), "default"),
+            KnobValue::None => (Json::Null, "none"),
+        };
+        let field = &knob.field;
+        let (kind, count, limits) = match field.kind {
+            Kind::Whole { min, max } => ("whole", 1, Some((Json::Whole(min), Json::Whole(max)))),
+            Kind::Wholes { min, max, most } => {
+                let limits = (Json::Whole(min.into()), Json::Whole(max.into()));
+                ("wholes", most, Some(limits))
+            }
+            Kind::Numbers { count, limits, .. } => {
+                let limits = (Json::Number(limits.min), Json::Number(limits.max));
+                ("number", count, Some(limits))
+            }
+            Kind::Flag => ("flag", 1, None),
+            _ => ("choice", 1, None),
+        };
+        let json = Json::object([
+            ("path", knob.path.as_str().into()),
+            ("value", value),
+            ("from", from.into()),
+            ("has_keys", Json::Flag(knob.has_keys)),
+            ("can_have_keys", Json::Flag(field.keyed)),
+            ("kind", kind.into()),
+            ("count", count.into()),
+        ]);
+        let json = match (limits, kind) {
+            (Some((min, max)), _) => json.with("min", min).with("max", max),
+            (None, "choice") => json.with("choices", Json::texts(knob.choices())),
+            (None, _) => json,
+        };
+        let unit = Json::from(field.unit);
+        let source = Json::from(field.source);
+        let json = json
+            .with("unit", unit)
+            .with("about", knob.about.as_str().into());
+        json.with("source", source)
+    });
+    Json::Array(knobs.collect()).pretty()
 }

@@ -1,5 +1,6 @@
 //! The scenes that the program carries, and loading a scene by name or by path.
 
+use std::borrow::Cow;
 use std::fs::File;
 use std::io::Read as _;
 use std::path::Path;
@@ -64,15 +65,36 @@ pub fn load(name_or_path: &str) -> Result<Scene, SceneError> {
 /// As [`load`]; and if a set has no `=`, no value, or a path that leads nowhere. An error that
 /// comes from a set shows that set in place of a line of the file.
 pub fn load_with(name_or_path: &str, sets: &[String]) -> Result<Scene, SceneError> {
+    let SceneText { text, file, name } = text_of(name_or_path)?;
+    parse_with(&text, &file, &name, sets)
+}
+
+/// A scene's TOML.
+pub(super) struct SceneText {
+    pub(super) text: Cow<'static, str>,
+    /// What errors call it.
+    pub(super) file: String,
+    /// The scene's name.
+    pub(super) name: String,
+}
+
+/// The text of a scene by name or by path, as [`load`] has it.
+pub(super) fn text_of(name_or_path: &str) -> Result<SceneText, SceneError> {
     if is_path(name_or_path) {
-        let text = read(name_or_path)?;
-        return parse_with(&text, name_or_path, &scene_name(name_or_path), sets);
+        return Ok(SceneText {
+            text: read(name_or_path)?.into(),
+            file: name_or_path.to_owned(),
+            name: scene_name(name_or_path),
+        });
     }
     let Some(scene) = BUILTIN.iter().find(|scene| scene.name == name_or_path) else {
         return Err(unknown(name_or_path));
     };
-    let file = format!("scenes/{}.toml", scene.name);
-    parse_with(scene.text, &file, scene.name, sets)
+    Ok(SceneText {
+        text: scene.text.into(),
+        file: format!("scenes/{}.toml", scene.name),
+        name: scene.name.to_owned(),
+    })
 }
 
 fn is_path(name_or_path: &str) -> bool {

@@ -1,6 +1,6 @@
 //! What would be right for a key, in words, from its row in the [`schema`](super::schema).
 
-use super::schema::{Field, Kind, Limits, Presence, SYSTEM, Variant};
+use super::schema::{Field, Kind, Limits, MOST_NAME_CHARS, Presence, SYSTEM, Variant};
 
 /// The key with a value that is right: `near = 0.1`.
 pub(super) fn example(field: &Field) -> String {
@@ -23,6 +23,7 @@ pub(super) fn expected(field: &Field) -> String {
         unit,
         about,
         presence,
+        ..
     } = field;
     let unit = match *unit {
         "" => String::new(),
@@ -38,7 +39,7 @@ pub(super) fn expected(field: &Field) -> String {
     format!("`{key}` ({about}) is {words}{unit}")
 }
 
-fn kind_in_words(kind: &Kind) -> String {
+pub(super) fn kind_in_words(kind: &Kind) -> String {
     match *kind {
         Kind::Text { max_chars, lines } => {
             let lines = if lines { "" } else { " in one line" };
@@ -47,9 +48,16 @@ fn kind_in_words(kind: &Kind) -> String {
                 digits(max_chars as f64)
             )
         }
-        Kind::Name => "text in quotes: a letter or _, then letters, digits, - and _, at most 64 \
-                       characters"
-            .to_owned(),
+        Kind::Name { reserved } => {
+            let but = match reserved {
+                [] => String::new(),
+                _ => format!(", but not {}", quoted(reserved)),
+            };
+            format!(
+                "text in quotes: a letter or _, then letters, digits, - and _, at most \
+                 {MOST_NAME_CHARS} characters{but}"
+            )
+        }
         Kind::Whole { min, max } => format!("a whole number {}", range(min as f64, max as f64)),
         Kind::Wholes { min, max, most } => format!(
             "an array of at most {} whole numbers in ascending order, each {}",
@@ -57,7 +65,14 @@ fn kind_in_words(kind: &Kind) -> String {
             range(f64::from(min), f64::from(max))
         ),
         Kind::Flag => "true or false".to_owned(),
-        Kind::Numbers { count, limits } => numbers(count, limits),
+        Kind::Numbers {
+            count,
+            limits,
+            nonzero,
+        } => {
+            let but = if nonzero { ", not all 0" } else { "" };
+            numbers(count, limits) + but
+        }
         Kind::Randomised {
             count,
             mean,
@@ -75,7 +90,7 @@ fn kind_in_words(kind: &Kind) -> String {
             };
             format!("{{ mean, var{key} }}, mean {mean}, var {var}{rate}; or the mean alone")
         }
-        Kind::Choice(words) => format!("one of {}", quoted(words.iter().copied())),
+        Kind::Choice(words) => format!("one of {}", quoted(words)),
         Kind::Table(fields) => format!("a table with the keys {}", keys(fields)),
         Kind::Tables { fields, max } => {
             format!(
@@ -112,7 +127,7 @@ fn numbers(count: usize, limits: Limits) -> String {
     }
 }
 
-fn range(min: f64, max: f64) -> String {
+pub(super) fn range(min: f64, max: f64) -> String {
     format!("from {} to {}", digits(min), digits(max))
 }
 
@@ -121,13 +136,13 @@ fn keys(fields: &[Field]) -> String {
     keys.join(", ")
 }
 
-fn quoted<'a>(words: impl Iterator<Item = &'a str>) -> String {
-    let words: Vec<_> = words.map(|word| format!("\"{word}\"")).collect();
+pub(super) fn quoted(words: &[&str]) -> String {
+    let words: Vec<_> = words.iter().map(|word| format!("\"{word}\"")).collect();
     words.join(", ")
 }
 
 /// A number as TOML has it, with `_` between thousands.
-fn digits(number: f64) -> String {
+pub(super) fn digits(number: f64) -> String {
     if number == i64::MAX as f64 {
         return i64::MAX.to_string();
     }

@@ -4,14 +4,13 @@
 //! value, or its default, to one of the functions in [`values`](super::values).
 
 use std::borrow::Cow;
-use std::rc::Rc;
 
 use super::SceneError;
 use super::error::{did_you_mean, shortened};
 use super::expect::{example, expected};
-use super::schema::{Field, Kind, Limits, Presence};
+use super::schema::{self, Field, Kind, Limits, Presence};
 use super::tracks;
-use super::tree::{self, At, Entry, Node, Source, Value};
+use super::tree::{self, At, Entry, Node, Value};
 
 /// A table whose keys are all known.
 pub(super) struct Reader<'a> {
@@ -50,7 +49,10 @@ impl<'a> Reader<'a> {
                 .error(what, format!("a table with the keys {known}")));
         };
         if let Some(Entry { key, at, .. }) = entries.iter().find(|e| !keys().any(|k| k == e.key)) {
-            let guess = did_you_mean(key, keys());
+            let guess = match outer_table(&path, key) {
+                outer if outer.is_empty() => did_you_mean(key, keys()),
+                outer => outer,
+            };
             let help = format!("{guess}The keys here are {known}");
             let key = shortened(key);
             return Err(at.error(format!("there is no key `{key}` {place}"), help));
@@ -61,6 +63,58 @@ impl<'a> Reader<'a> {
             node,
             all: None,
         })
+    }
+
+    /// The error of all keys that must be written and are not, `key` among them.
+    fn all_missing(&self, key: &str) -> SceneError {
+        let is_missing = |field: &&Field| {
+            matches!(field.presence, Presence::Required(_)) && !self.has(field.key)
+        };
+        let missing: Vec<&Field> = self.fields.iter().filter(is_missing).collect();
+        if let Some(error) = missing.iter().find_map(|field| self.inside(field.key)) {
+            return error;
+        }
+        match missing.as_slice() {
+            [] | [_] => self.missing(key),
+            [fields @ .., last] => {
+                let list = |of: &dyn Fn(&Field) -> String| {
+                    let first: Vec<String> = fields.iter().map(|field| of(field)).collect();
+                    format!("{} and {}", first.join(", "), of(last))
+                };
+                let paths = list(&|field| format!("`{}`", self.path_of(field.key)));
+                let help = format!("add {}", list(&example));
+                self.node.at.error(format!("{paths} are missing"), help)
+            }
+        }
+    }
+
+    /// The error of a key that is missing here, and stands in a table inside below whose header it
+    /// has been written.
+    fn inside(&self, key: &str) -> Option<SceneError> {
+        let Value::Table(entries) = &self.node.value else {
+            return None;
+        };
+        for Entry {
+            key: inner, node, ..
+        } in entries
+        {
+            let path = self.path_of(inner);
+            let tables = match &node.value {
+                Value::Array(items) => {
+                    let numbered = items.iter().enumerate();
+                    let path = |(at, item)| (format!("{path}.{at}"), item);
+                    numbered.map(path).collect()
+                }
+                _ => vec![(path, node)],
+            };
+            for (path, table) in tables {
+                if let Some(entry) = table.entry(key) {
+                    let what = format!("there is no key `{key}` in `{path}`");
+                    return Some(entry.at.error(what, outer_table(&path, key)));
+                }
+            }
+        }
+        None
     }
 
     /// The same where the key's value is written in place of the table, so that it has its path.
@@ -99,17 +153,11 @@ impl<'a> Reader<'a> {
         }
         let Presence::Default(text) = field.presence else {
             return match field.presence {
-                Presence::Required(_) => Err(self.missing(key)),
+                Presence::Required(_) => Err(self.all_missing(key)),
                 _ => Ok(None),
             };
         };
-        let file = format!("the default of `{path}`");
-        let source = Source {
-            file,
-            text: text.to_owned(),
-            numbered: false,
-        };
-        let mut node = tree::value(&Rc::new(source), 0..text.len())?;
+        let mut node = tree::snippet(text, &format!("the default of `{path}`"))?;
         if let Value::Table(_) = node.value {
             // Whatever is missing in a table that is not written is missing from this one.
             node.at = self.node.at.clone();
@@ -177,13 +225,33 @@ impl<'a> Reader<'a> {
     }
 }
 
+/// A hint if a key is right in a table around this one: TOML counts all lines below a table's
+/// header to that table, so what is meant for an outer one must stand above it.
+fn outer_table(path: &str, key: &str) -> String {
+    let mut headers = schema::around(path);
+    headers.retain(|(_, fields)| fields.iter().any(|field| field.key == key));
+    match headers.last() {
+        None => String::new(),
+        Some((header, _)) => {
+            let place = match header.as_str() {
+                "" => "at the top of a scene".to_owned(),
+                header => format!("in `{header}`"),
+            };
+            format!(
+                "`{key}` is a key {place}: write it there, above the headers of the tables that \
+                 follow, for what stands below a header belongs to it. "
+            )
+        }
+    }
+}
+
 /// Whether a table with `keys` in it can only be meant as a value that changes, where none can.
 fn never_changes(field: &Field, node: &Node) -> bool {
     match field.kind {
         Kind::Numbers { .. } | Kind::Randomised { .. } => false,
         Kind::Table(_) | Kind::Tables { .. } | Kind::List { .. } => false,
         Kind::Variants(_) => node.entry("kind").is_none(),
-        Kind::Text { .. } | Kind::Name | Kind::Whole { .. } => true,
+        Kind::Text { .. } | Kind::Name { .. } | Kind::Whole { .. } => true,
         Kind::Wholes { .. } | Kind::Flag | Kind::Choice(_) => true,
     }
 }

@@ -7,6 +7,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::SceneError;
+use crate::json::{Json, quoted};
 
 /// Tables and arrays inside each other, at most. The deepest value of a scene lies at 8.
 const MAX_DEPTH: usize = 16;
@@ -117,6 +118,61 @@ impl Node {
             Value::Table(_) => "a table".into(),
         }
     }
+}
+
+impl Value {
+    /// The same in JSON; dates are null, as nothing takes one.
+    pub(super) fn json(&self) -> Json {
+        match self {
+            Self::Text(text) => Json::from(text.as_str()),
+            Self::Whole(whole) => Json::Whole(*whole),
+            Self::Number(number) => Json::Number(*number),
+            Self::Flag(flag) => Json::Flag(*flag),
+            Self::Date => Json::Null,
+            Self::Array(items) => Json::Array(items.iter().map(|item| item.value.json()).collect()),
+            Self::Table(entries) => {
+                let entry = |entry: &Entry| (entry.key.clone(), entry.node.value.json());
+                Json::Object(as_written(entries).into_iter().map(entry).collect())
+            }
+        }
+    }
+
+    /// The same in TOML, on one line.
+    pub(super) fn toml(&self) -> String {
+        match self {
+            Self::Text(text) => quoted(text),
+            Self::Whole(whole) => whole.to_string(),
+            Self::Number(number) => plain(*number),
+            Self::Flag(flag) => flag.to_string(),
+            Self::Date => "a date".into(),
+            Self::Array(items) => {
+                let items: Vec<String> = items.iter().map(|item| item.value.toml()).collect();
+                format!("[{}]", items.join(", "))
+            }
+            Self::Table(entries) => {
+                let entry = |entry: &Entry| format!("{} = {}", entry.key, entry.node.value.toml());
+                let entries = as_written(entries).into_iter().map(entry);
+                format!("{{ {} }}", entries.collect::<Vec<_>>().join(", "))
+            }
+        }
+    }
+}
+
+/// Entries in the order of the text, and not by name.
+fn as_written(entries: &[Entry]) -> Vec<&Entry> {
+    let mut entries: Vec<&Entry> = entries.iter().collect();
+    entries.sort_by_key(|entry| entry.at.span.start);
+    entries
+}
+
+/// The value that a piece of TOML is.
+pub(super) fn snippet(toml: &str, called: &str) -> Result<Node, SceneError> {
+    let source = Source {
+        file: called.to_owned(),
+        text: toml.to_owned(),
+        numbered: false,
+    };
+    value(&Rc::new(source), 0..toml.len())
 }
 
 /// The root table of a TOML document.

@@ -3,7 +3,7 @@
 use super::error::{did_you_mean, shortened};
 use super::expect::expected;
 use super::read::{Reader, Spot};
-use super::schema::{Field, Kind, Variant};
+use super::schema::{Field, Kind, MOST_NAME_CHARS, Presence, Variant};
 use super::tracks;
 use super::tree::{Entry, Value};
 use super::{Changing, SceneError, Spread};
@@ -219,11 +219,12 @@ pub(super) fn variant<'a>(spot: &Spot<'a>) -> Result<(&'static str, Reader<'a>),
     let field = spot.field;
     let kind_spot = Spot { path, field, node };
     let given = node.text().ok_or_else(|| kind_spot.wrong_kind())?;
-    let Variant { name, fields } = variants[one_of(given, &names, &kind_spot)?];
+    let Variant { name, fields, .. } = variants[one_of(given, &names, &kind_spot)?];
     // Only its key matters: its value has just been read.
     let kind = Field {
         key: "kind",
         kind: Kind::Choice(&[]),
+        presence: Presence::Required(""),
         ..field
     };
     let fields = [&[kind], fields].concat();
@@ -247,7 +248,7 @@ pub(super) fn text(spot: &Spot<'_>) -> Result<String, SceneError> {
     let refuse = |why: &str| Err(spot.refuse(spot.node, &spot.path, why));
     let (max_chars, lines) = match spot.field.kind {
         Kind::Text { max_chars, lines } => (max_chars, lines),
-        _ => (64, false),
+        _ => (MOST_NAME_CHARS, false),
     };
     if text.chars().count() > max_chars {
         return refuse("is too long");
@@ -258,7 +259,9 @@ pub(super) fn text(spot: &Spot<'_>) -> Result<String, SceneError> {
     {
         return refuse("has a line break or a control character in it");
     }
-    if matches!(spot.field.kind, Kind::Name) && !super::check::is_name(text) {
+    if let Kind::Name { reserved } = spot.field.kind
+        && (!super::check::is_name(text) || reserved.contains(&text))
+    {
         return refuse(&format!("cannot be \"{text}\""));
     }
     Ok(text.to_owned())

@@ -8,7 +8,7 @@ use crate::text::{accepted, fields_of, line_of, refused, with};
 
 /// Every key whose value can change: section, key, and two values.
 #[rustfmt::skip]
-const CHANGING: &[(&str, &str, &str, &str)] = &[
+pub(crate) const CHANGING: &[(&str, &str, &str, &str)] = &[
     ("image", "background", "[0, 0.5, 1]", "[1, 0, 0.25]"),
     ("image", "exposure", "0.5", "1000"),
     ("camera", "position", "[0, 1, 5]", "[3, 2, 4]"),

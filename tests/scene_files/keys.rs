@@ -258,7 +258,7 @@ fn tables_refuse_what_is_no_table() {
             "width, height",
         ),
         (
-            "camera = [1]".to_owned(),
+            "camera = [1]\n".to_owned() + &MINIMAL[system..],
             "`camera` must be a table",
             "position, target",
         ),

@@ -5,7 +5,8 @@ use motes::scene::schema::{self, Field, Kind, Presence};
 
 use crate::keys::KEYS;
 use crate::text::{
-    FILE, accepted, fields_of, header_of, line_of, refused, with, with_line_before, without,
+    FILE, MINIMAL, accepted, fields_of, header_of, line_of, refused, with, with_line_before,
+    without,
 };
 
 #[test]
@@ -155,8 +156,64 @@ fn only_what_is_required_must_be_written() {
         }
     }
     let error = refused("title = \"x\"\n");
-    assert!(error.message().contains("`camera` is missing"), "{error}");
+    assert_eq!(error.message(), "`camera` and `system` are missing");
     assert_eq!((error.line(), error.column()), (Some(1), Some(1)));
+}
+
+#[test]
+fn all_that_is_missing_from_a_table_is_named_at_once() {
+    let error = refused("[camera]\ntarget = [0, 0, 0]\n[[system]]\nname = \"jet\"\n");
+    assert_eq!(error.message(), "`camera.position` is missing");
+    let text = MINIMAL
+        .replace("speed = 0.1\n", "")
+        .replace("size = 0.02\n", "");
+    let error = refused(&text.replace("color = [0.4, 0.1, 0.02]\n", ""));
+    let what = "`system.only.speed`, `system.only.color` and `system.only.size` are missing";
+    assert_eq!(error.message(), what);
+    let help = "add `speed = { mean = 0.1, var = 0.02 }`, `color = { mean = [0.4, 0.1, 0.02] }` and \
+                `size = { mean = 0.02 }`";
+    assert_eq!(error.help(), help);
+    let header = MINIMAL.lines().position(|line| line == "[[system]]");
+    assert_eq!(error.line(), header.map(|index| index + 1), "{error}");
+    let wind = MINIMAL.to_owned() + "[[wind]]\nkind = \"vortex\"\n";
+    let error = refused(&wind);
+    assert_eq!(
+        error.message(),
+        "`wind.0.position` and `wind.0.speed` are missing"
+    );
+}
+
+#[test]
+fn a_key_of_an_outer_table_is_said_to_be_one() {
+    // A line below the header of a table inside belongs to that table.
+    let table = MINIMAL.replace("speed = 0.1\n", "[system.speed]\nmean = 0.1\n");
+    let last = MINIMAL.to_owned() + "[system.transparency]\nmean = 0.1\ndrag = 0.5\n";
+    let system = "[[system]]\nname = \"only\"\n";
+    let plane = "[[system.extinction]]\nkind = \"plane\"\ndrag = 0.5\n";
+    #[rustfmt::skip]
+    let cases = [
+        (last, "drag", "`system.only.transparency`", "in `[[system]]`"),
+        // Those that must be written are looked for.
+        (table, "color", "`system.only.speed`", "in `[[system]]`"),
+        (MINIMAL.replace("color", "[[system.burst]]\nframe = 1\nparts = 1\ncolor"), "color", "`system.only.burst.0`", "in `[[system]]`"),
+        (MINIMAL.to_owned() + plane, "drag", "`system.only.extinction.0`", "in `[[system]]`"),
+        (MINIMAL.to_owned() + "frames = 3\n", "frames", "`system.only`", "at the top of a scene"),
+        (MINIMAL.replace(system, &format!("seed = 3\n{system}")), "seed", "`camera`", "at the top of a scene"),
+        (MINIMAL.to_owned() + "[image]\nwind = []\n", "wind", "`image`", "at the top of a scene"),
+    ];
+    for (text, key, table, place) in cases {
+        let error = refused(&text);
+        let what = format!("there is no key `{key}` in {table}");
+        assert_eq!(error.message(), what);
+        let help = format!("`{key}` is a key {place}: write it there, ");
+        assert!(error.help().starts_with(&help), "{error}");
+        let is_it = |line: &str| line.starts_with(&format!("{key} = "));
+        let line = text.lines().position(is_it);
+        assert_eq!(error.line(), line.map(|index| index + 1), "{error}");
+    }
+    // What is a key nowhere around gets no such hint.
+    let error = refused(&(MINIMAL.to_owned() + "[image]\nspeed = 1\n"));
+    assert!(!error.help().contains("write it there"), "{error}");
 }
 
 #[test]

@@ -5,6 +5,7 @@ mod tracks;
 pub(super) use tracks::tracks;
 
 use super::read::{Reader, Spot};
+use super::schema::MOST_NAME_CHARS;
 use super::tree::{At, Node, Value};
 use super::values::Quantity;
 use super::{BirthUnit, Camera, Image, SceneError, Spread, System};
@@ -25,7 +26,7 @@ pub(super) fn is_name(text: &str) -> bool {
         .next()
         .is_some_and(|c| c.is_alphabetic() || c == '_');
     let rest = letters.all(|c| c.is_alphanumeric() || c == '-' || c == '_');
-    first && rest && text.chars().count() <= 64
+    first && rest && text.chars().count() <= MOST_NAME_CHARS
 }
 
 /// The image has no more pixels than a frame's buffers can hold.
@@ -276,12 +277,6 @@ pub(super) fn unique_names(root: &Node) -> Result<(), SceneError> {
             let Value::Text(text) = &name.node.value else {
                 continue;
             };
-            if kind == "layer" && ["rest", "particles"].contains(&text.as_str()) {
-                let what = format!("`layer.{text}.name` is that of a layer that is always there");
-                let help = "another name: `rest` is what is behind no plane, and `particles` the \
-                            picture of a scene without layers";
-                return Err(name.node.at.error(what, help));
-            }
             if let Some(first) = seen.insert(text, &name.node.at) {
                 let what = format!("`{kind}.{text}.name` is already that of another {kind}");
                 let help = format!(

@@ -1,187 +1,120 @@
-//! The tables themselves. A row: key, kind, default or example, unit, meaning.
+//! The tables themselves. A row: key, kind, default or example, unit, meaning, and the
+//! section of the paper that it comes from. Rows in `keyed` may change with the frame.
 
 use super::kinds::{EXTINCTIONS, GENERATION_SHAPES, WINDS};
-use super::{Field, Kind, Limits, Presence};
+use super::rows::{
+    DIRECTION, PLACE, changing, default, keyed, numbers, optional, required, spread, text, whole,
+};
+use super::{Field, Kind};
 
 /// Keys at the top of a scene file.
 #[rustfmt::skip] // one row a line
 pub const SCENE: &[Field] = &[
-    optional("title", TITLE, "\"A fountain\"", "", "one line for people; the scene's name if left out"),
-    default("description", DESCRIPTION, "\"\"", "", "a few sentences for people"),
-    default("frames", whole(1, 1_000_000), "120", "frames", "how long the scene lasts when nobody says otherwise"),
-    default("frame_rate", whole(1, 240), "24", "frames a second", "the speed of animated files"),
-    default("seed", whole(0, i64::MAX), "1", "", "decides every random number"),
-    optional("capacity", whole(1, 1_000_000_000), "200_000", "particles", "most particles alive at once; computed from births and lifetimes if left out"),
-    default("image", Kind::Table(IMAGE), "{}", "", "the picture that frames are drawn into"),
-    required("camera", Kind::Table(CAMERA), "{ position = [0, 1, 5], target = [0, 0, 0] }", "", "the viewer"),
-    required("system", Kind::Tables { fields: SYSTEM, max: 1024 }, "[{ name = \"jet\", initial_mean_parts = 100, generation_shape = { kind = \"sphere\", radius = 1 }, speed = 0.1, lifetime = 60, color = [0.4, 0.1, 0.02], size = 0.02 }]", "", "the particle systems, one `[[system]]` each"),
-    default("wind", Kind::List { variants: WINDS, max: 16 }, "[]", "", "the parts of the wind, one `[[wind]]` each: it is their sum, and drag makes particles follow it"),
-    default("layer", Kind::Tables { fields: LAYER, max: 8 }, "[]", "", "planes that split the picture into layers, one `[[layer]]` each"),
+    optional("title", TITLE, "\"A fountain\"", "", "one line for people; the scene's name if left out", ""),
+    default("description", DESCRIPTION, "\"\"", "", "a few sentences for people", ""),
+    default("frames", whole(1, 1_000_000), "120", "frames", "how long the scene lasts when nobody says otherwise", ""),
+    default("frame_rate", whole(1, 240), "24", "frames a second", "the speed of animated files", "Reeves 3"),
+    default("seed", whole(0, i64::MAX), "1", "", "decides every random number", "Reeves 3"),
+    optional("capacity", whole(1, 1_000_000_000), "200_000", "particles", "most particles alive at once; computed from births and lifetimes if left out", ""),
+    default("image", Kind::Table(IMAGE), "{}", "", "the picture that frames are drawn into", ""),
+    required("camera", Kind::Table(CAMERA), "{ position = [0, 1, 5], target = [0, 0, 0] }", "", "the viewer", ""),
+    required("system", Kind::Tables { fields: SYSTEM, max: 1024 }, "[{ name = \"jet\", initial_mean_parts = 100, generation_shape = { kind = \"sphere\", radius = 1 }, speed = 0.1, lifetime = 60, color = [0.4, 0.1, 0.02], size = 0.02 }]", "", "the particle systems, one `[[system]]` each", "Reeves 2"),
+    default("wind", Kind::List { variants: WINDS, max: 16 }, "[]", "", "the parts of the wind, one `[[wind]]` each: it is their sum, and drag makes particles follow it", "Perry 3.2.3"),
+    default("layer", Kind::Tables { fields: LAYER, max: 8 }, "[]", "", "planes that split the picture into layers, one `[[layer]]` each", "Reeves 2.5"),
 ];
 
 /// Keys of `[image]`.
 #[rustfmt::skip] // one row a line
 pub const IMAGE: &[Field] = &[
-    default("width", whole(1, 4096), "1280", "pixels", "across"),
-    default("height", whole(1, 4096), "720", "pixels", "down"),
-    default("background", numbers(3, 0.0, 1.0), "[0, 0, 0]", "display-referred red, green, blue", "colour behind everything"),
-    default("shutter", numbers(1, 0.0, 1.0), "0.5", "frames", "how much of a frame the shutter is open, so how long streaks are"),
-    default("shutter_weighting", Kind::Choice(&["camera", "eye"]), "\"camera\"", "", "whether light counts alike while the shutter is open, or the later the more"),
-    default("exposure", numbers(1, 0.0, 1e3), "1", "", "factor of the light of all particles"),
+    default("width", whole(1, 4096), "1280", "pixels", "across", ""),
+    default("height", whole(1, 4096), "720", "pixels", "down", ""),
+    keyed(default("background", numbers(3, 0.0, 1.0), "[0, 0, 0]", "display-referred red, green, blue", "colour behind everything", "")),
+    default("shutter", numbers(1, 0.0, 1.0), "0.5", "frames", "how much of a frame the shutter is open, so how long streaks are", "Reeves 3"),
+    default("shutter_weighting", Kind::Choice(&["camera", "eye"]), "\"camera\"", "", "whether light counts alike while the shutter is open, or the later the more", "Reeves 3"),
+    keyed(default("exposure", numbers(1, 0.0, 1e3), "1", "", "factor of the light of all particles", "")),
 ];
 
 /// Keys of each `[[layer]]`.
 #[rustfmt::skip] // one row a line
 pub const LAYER: &[Field] = &[
-    required("name", Kind::Name, "\"behind\"", "", "unique; a part of file names"),
-    required("point", PLACE, "[0, 0, 0]", "world units", "a point of the plane"),
-    required("normal", PLACE, "[0, 0, 1]", "world space", "where the plane faces; the layer is what is behind it and in no layer before"),
+    required("name", Kind::Name { reserved: &["rest", "particles"] }, "\"behind\"", "", "unique, a part of file names; rest and particles are layers that are always there", ""),
+    required("point", PLACE, "[0, 0, 0]", "world units", "a point of the plane", "Reeves 2.5"),
+    required("normal", DIRECTION, "[0, 0, 1]", "world space", "where the plane faces; the layer is what is behind it and in no layer before", "Reeves 2.5"),
 ];
 
 /// Keys of `[camera]`.
 #[rustfmt::skip] // one row a line
 pub const CAMERA: &[Field] = &[
-    required("position", PLACE, "[0, 1, 5]", "world units", "where it stands"),
-    required("target", PLACE, "[0, 0, 0]", "world units", "what it looks at"),
-    default("up", PLACE, "[0, 1, 0]", "world space", "which way is up in the picture"),
-    default("projection", Kind::Choice(&["perspective", "orthographic"]), "\"perspective\"", "", "whether what is farther is smaller"),
-    default("view_height", numbers(1, 1e-6, 1e6), "4", "world units", "from the picture's bottom to its top, if orthographic"),
-    default("vertical_fov_degrees", numbers(1, 1.0, 170.0), "45", "degrees", "the whole vertical angle of view"),
-    default("near", numbers(1, 1e-6, 1e6), "0.1", "world units", "nothing nearer is drawn"),
+    keyed(required("position", PLACE, "[0, 1, 5]", "world units", "where it stands", "Reeves 2.5")),
+    keyed(required("target", PLACE, "[0, 0, 0]", "world units", "what it looks at", "Reeves 2.5")),
+    keyed(default("up", PLACE, "[0, 1, 0]", "world space", "which way is up in the picture", "")),
+    default("projection", Kind::Choice(&["perspective", "orthographic"]), "\"perspective\"", "", "whether what is farther is smaller", ""),
+    keyed(default("view_height", numbers(1, 1e-6, 1e6), "4", "world units", "from the picture's bottom to its top, if orthographic", "")),
+    keyed(default("vertical_fov_degrees", numbers(1, 1.0, 170.0), "45", "degrees", "the whole vertical angle of view", "")),
+    default("near", numbers(1, 1e-6, 1e6), "0.1", "world units", "nothing nearer is drawn", ""),
 ];
 
 /// Keys of each `[[system]]` (Reeves 1983, section 2).
 #[rustfmt::skip] // one row a line
 pub const SYSTEM: &[Field] = &[
-    required("name", Kind::Name, "\"jet\"", "", "unique; a part of every particle's identity"),
-    default("position", PLACE, "[0, 0, 0]", "world units", "the system's origin"),
-    default("rotation_degrees", numbers(2, -36_000.0, 36_000.0), "[0, 0]", "degrees", "turns about x, then about y; local +z is the system's up"),
-    default("first_frame", whole(-65_000, 1_000_000), "0", "frames", "the first frame with births; below 0, the system is under way when the scene begins"),
-    optional("end_frame", whole(-64_999, 1_000_000), "60", "frames", "the first frame without births again; never if left out"),
-    default("trigger_frames", Kind::Wholes { min: -65_000, max: 1_000_000, most: 256 }, "[]", "frames", "when the system begins: nobody is born before the first of these, and first_frame, end_frame and bursts count from the last one"),
-    default("burst", Kind::Tables { fields: BURST, max: 64 }, "[]", "", "births all at once, besides the others"),
-    default("birth_moment", Kind::Choice(&["frame_start", "within_frame"]), "\"frame_start\"", "", "whether particles are born at a frame's start, or at any moment of it, so that jets and moving systems leave no gaps"),
-    default("particle_space", Kind::Choice(&["system", "world"]), "\"system\"", "", "whether the living move and turn with their system, or stay behind"),
-    optional("initial_mean_parts", PARTS, "1000", "particles a frame", "mean births in the first frame"),
-    default("delta_mean_parts", PARTS_CHANGE, "0", "particles a frame", "added to the mean each frame"),
-    default("quadratic_mean_parts", PARTS_CHANGE, "0", "particles a frame", "times the squared number of frames since the first"),
-    default("cubic_mean_parts", PARTS_CHANGE, "0", "particles a frame", "times the cubed number of frames since the first"),
-    default("var_parts", PARTS, "0", "particles a frame", "half the width of the range around the mean"),
-    default("delta_var_parts", PARTS_CHANGE, "0", "particles a frame", "added to the half-width each frame"),
-    default("quadratic_var_parts", PARTS_CHANGE, "0", "particles a frame", "times the squared number of frames since the first"),
-    default("cubic_var_parts", PARTS_CHANGE, "0", "particles a frame", "times the cubed number of frames since the first"),
-    optional("initial_mean_parts_per_area", DENSITY, "0.5", "particles a frame and pixel of screen area", "mean births in the first frame"),
-    default("delta_mean_parts_per_area", DENSITY_CHANGE, "0", "particles a frame and pixel of screen area", "added to the mean each frame"),
-    default("quadratic_mean_parts_per_area", DENSITY_CHANGE, "0", "particles a frame and pixel of screen area", "times the squared number of frames since the first"),
-    default("cubic_mean_parts_per_area", DENSITY_CHANGE, "0", "particles a frame and pixel of screen area", "times the cubed number of frames since the first"),
-    default("var_parts_per_area", DENSITY, "0", "particles a frame and pixel of screen area", "half the width of the range around the mean"),
-    default("delta_var_parts_per_area", DENSITY_CHANGE, "0", "particles a frame and pixel of screen area", "added to the half-width each frame"),
-    default("quadratic_var_parts_per_area", DENSITY_CHANGE, "0", "particles a frame and pixel of screen area", "times the squared number of frames since the first"),
-    default("cubic_var_parts_per_area", DENSITY_CHANGE, "0", "particles a frame and pixel of screen area", "times the cubed number of frames since the first"),
-    default("mean_parts_wander", numbers(1, 0.0, 1.0), "0", "a share of the mean", "how far the mean strays at random, slowly"),
-    default("mean_parts_wander_frames", numbers(1, 1.0, 1e6), "24", "frames", "over how many frames it does"),
-    default("birth_rounding", Kind::Choice(&["stochastic", "nearest"]), "\"stochastic\"", "", "how a fractional number of births becomes a whole one"),
-    required("generation_shape", Kind::Variants(GENERATION_SHAPES), "{ kind = \"sphere\", radius = 1 }", "", "where particles are born"),
-    optional("ejection_axis", Kind::Choice(&["up", "outward", "around"]), "\"up\"", "", "the axis of the cone that particles leave within; outward for sphere and cone, along the curve for an attractor and up for the others if left out"),
-    default("ejection_angle_degrees", numbers(1, 0.0, 180.0), "0", "degrees", "half-angle of that cone"),
-    default("ejection_spread", Kind::Choice(&["solid_angle", "angle"]), "\"solid_angle\"", "", "what is uniform in that cone"),
-    required("speed", spread((-1e4, 1e4), (0.0, 1e4)), "{ mean = 0.1, var = 0.02 }", "world units a frame", "initial speed"),
-    optional("lifetime", spread((1.0, 65_000.0), (0.0, 65_000.0)), "{ mean = 60, var = 10 }", "frames", "how long particles live; age kills nobody if left out"),
-    required("color", changing(3, (0.0, 1e3), 1e3), "{ mean = [0.4, 0.1, 0.02] }", "light of a fully covered pixel in red, green, blue", "colour"),
-    default("transparency", changing(1, (0.0, 1.0), 1.0), "{ mean = 0 }", "0 opaque, 1 invisible", "light is scaled by 1 - transparency"),
-    required("size", changing(1, (1e-6, 1e4), 1e4), "{ mean = 0.02 }", "world units", "radius, or half the width of a rectangle"),
-    default("acceleration", numbers(3, -1e4, 1e4), "[0, 0, 0]", "world units a frame squared, world space", "added to the velocity each frame"),
-    default("drag", numbers(1, 0.0, 1.0), "0", "a share of the velocity", "how much of its velocity against the wind a particle loses each frame"),
-    default("integration", Kind::Choice(&["euler", "parabola"]), "\"euler\"", "", "whether velocities are those at the start of a frame, or halfway through it, which puts particles on exact parabolas"),
-    default("particle_shape", Kind::Choice(&["sphere", "rectangle", "streak"]), "\"sphere\"", "", "what a particle looks like"),
-    default("streak_light", Kind::Choice(&["conserved", "constant"]), "\"conserved\"", "", "whether a streak's light is spread along it, or full everywhere"),
-    optional("intensity_threshold", numbers(1, 0.0, 1e3), "0.01", "light", "a particle dimmer than this is killed; never if left out"),
-    default("intensity", Kind::Choice(&["brightest", "luminance"]), "\"brightest\"", "", "what intensity is: 1 - transparency times the brightest channel, or times the luminance"),
-    default("extinction", Kind::List { variants: EXTINCTIONS, max: 16 }, "[]", "", "where particles may not be, one `[[system.extinction]]` each"),
-    optional("light_distance", numbers(1, 1e-6, 1e6), "10", "world units", "where light is as the colour says; it falls with the squared distance from the eye, or not at all if left out"),
+    required("name", Kind::Name { reserved: &[] }, "\"jet\"", "", "unique; a part of every particle's identity", ""),
+    keyed(default("position", PLACE, "[0, 0, 0]", "world units", "the system's origin", "Reeves 2.2")),
+    keyed(default("rotation_degrees", numbers(2, -36_000.0, 36_000.0), "[0, 0]", "degrees", "turns about x, then about y; local +z is the system's up", "Reeves 2.2")),
+    default("first_frame", whole(-65_000, 1_000_000), "0", "frames", "the first frame with births; below 0, the system is under way when the scene begins", "Reeves 2.1"),
+    optional("end_frame", whole(-64_999, 1_000_000), "60", "frames", "the first frame without births again; never if left out", ""),
+    default("trigger_frames", Kind::Wholes { min: -65_000, max: 1_000_000, most: 256 }, "[]", "frames", "when the system begins: nobody is born before the first of these, and first_frame, end_frame and bursts count from the last one", ""),
+    default("burst", Kind::Tables { fields: BURST, max: 64 }, "[]", "", "births all at once, besides the others", ""),
+    default("birth_moment", Kind::Choice(&["frame_start", "within_frame"]), "\"frame_start\"", "", "whether particles are born at a frame's start, or at any moment of it, so that jets and moving systems leave no gaps", ""),
+    default("particle_space", Kind::Choice(&["system", "world"]), "\"system\"", "", "whether the living move and turn with their system, or stay behind", "Reeves 2.6"),
+    keyed(optional("initial_mean_parts", PARTS, "1000", "particles a frame", "mean births in the first frame", "Reeves 2.1")),
+    default("delta_mean_parts", PARTS_CHANGE, "0", "particles a frame", "added to the mean each frame", "Reeves 2.1"),
+    default("quadratic_mean_parts", PARTS_CHANGE, "0", "particles a frame", "times the squared number of frames since the first", "Reeves 2.1"),
+    default("cubic_mean_parts", PARTS_CHANGE, "0", "particles a frame", "times the cubed number of frames since the first", "Reeves 2.1"),
+    keyed(default("var_parts", PARTS, "0", "particles a frame", "half the width of the range around the mean", "Reeves 2.1")),
+    default("delta_var_parts", PARTS_CHANGE, "0", "particles a frame", "added to the half-width each frame", "Reeves 2.1"),
+    default("quadratic_var_parts", PARTS_CHANGE, "0", "particles a frame", "times the squared number of frames since the first", "Reeves 2.1"),
+    default("cubic_var_parts", PARTS_CHANGE, "0", "particles a frame", "times the cubed number of frames since the first", "Reeves 2.1"),
+    keyed(optional("initial_mean_parts_per_area", DENSITY, "0.5", "particles a frame and pixel of screen area", "mean births in the first frame", "Reeves 2.1")),
+    default("delta_mean_parts_per_area", DENSITY_CHANGE, "0", "particles a frame and pixel of screen area", "added to the mean each frame", "Reeves 2.1"),
+    default("quadratic_mean_parts_per_area", DENSITY_CHANGE, "0", "particles a frame and pixel of screen area", "times the squared number of frames since the first", "Reeves 2.1"),
+    default("cubic_mean_parts_per_area", DENSITY_CHANGE, "0", "particles a frame and pixel of screen area", "times the cubed number of frames since the first", "Reeves 2.1"),
+    keyed(default("var_parts_per_area", DENSITY, "0", "particles a frame and pixel of screen area", "half the width of the range around the mean", "Reeves 2.1")),
+    default("delta_var_parts_per_area", DENSITY_CHANGE, "0", "particles a frame and pixel of screen area", "added to the half-width each frame", "Reeves 2.1"),
+    default("quadratic_var_parts_per_area", DENSITY_CHANGE, "0", "particles a frame and pixel of screen area", "times the squared number of frames since the first", "Reeves 2.1"),
+    default("cubic_var_parts_per_area", DENSITY_CHANGE, "0", "particles a frame and pixel of screen area", "times the cubed number of frames since the first", "Reeves 2.1"),
+    default("mean_parts_wander", numbers(1, 0.0, 1.0), "0", "a share of the mean", "how far the mean strays at random, slowly", "Reeves 2.1"),
+    default("mean_parts_wander_frames", numbers(1, 1.0, 1e6), "24", "frames", "over how many frames it does", "Reeves 2.1"),
+    default("birth_rounding", Kind::Choice(&["stochastic", "nearest"]), "\"stochastic\"", "", "how a fractional number of births becomes a whole one", "Reeves 2.1"),
+    required("generation_shape", Kind::Variants(GENERATION_SHAPES), "{ kind = \"sphere\", radius = 1 }", "", "where particles are born", "Reeves 2.2"),
+    optional("ejection_axis", Kind::Choice(&["up", "outward", "around"]), "\"up\"", "", "the axis of the cone that particles leave within; outward for sphere and cone, along the curve for an attractor and up for the others if left out", "Reeves 2.2"),
+    keyed(default("ejection_angle_degrees", numbers(1, 0.0, 180.0), "0", "degrees", "half-angle of that cone", "Reeves 2.2")),
+    default("ejection_spread", Kind::Choice(&["solid_angle", "angle"]), "\"solid_angle\"", "", "what is uniform in that cone", "Reeves 2.2"),
+    keyed(required("speed", spread((-1e4, 1e4), (0.0, 1e4)), "{ mean = 0.1, var = 0.02 }", "world units a frame", "initial speed", "Reeves 2.2")),
+    keyed(optional("lifetime", spread((1.0, 65_000.0), (0.0, 65_000.0)), "{ mean = 60, var = 10 }", "frames", "how long particles live; age kills nobody if left out", "Reeves 2.4")),
+    keyed(required("color", changing(3, (0.0, 1e3), 1e3), "{ mean = [0.4, 0.1, 0.02] }", "light of a fully covered pixel in red, green, blue", "colour", "Reeves 2.2, 2.3")),
+    keyed(default("transparency", changing(1, (0.0, 1.0), 1.0), "{ mean = 0 }", "0 opaque, 1 invisible", "light is scaled by 1 - transparency", "Reeves 2.2, 2.3")),
+    keyed(required("size", changing(1, (1e-6, 1e4), 1e4), "{ mean = 0.02 }", "world units", "radius, or half the width of a rectangle", "Reeves 2.2, 2.3")),
+    keyed(default("acceleration", numbers(3, -1e4, 1e4), "[0, 0, 0]", "world units a frame squared, world space", "added to the velocity each frame", "Reeves 2.3")),
+    keyed(default("drag", numbers(1, 0.0, 1.0), "0", "a share of the velocity", "how much of its velocity against the wind a particle loses each frame", "")),
+    default("integration", Kind::Choice(&["euler", "parabola"]), "\"euler\"", "", "whether velocities are those at the start of a frame, or halfway through it, which puts particles on exact parabolas", "Reeves 2.3"),
+    default("particle_shape", Kind::Choice(&["sphere", "rectangle", "streak"]), "\"sphere\"", "", "what a particle looks like", "Reeves 2.2"),
+    default("streak_light", Kind::Choice(&["conserved", "constant"]), "\"conserved\"", "", "whether a streak's light is spread along it, or full everywhere", "Reeves 3"),
+    keyed(optional("intensity_threshold", numbers(1, 0.0, 1e3), "0.01", "light", "a particle dimmer than this is killed; never if left out", "Reeves 2.4")),
+    default("intensity", Kind::Choice(&["brightest", "luminance"]), "\"brightest\"", "", "what intensity is: 1 - transparency times the brightest channel, or times the luminance", "Reeves 2.4"),
+    default("extinction", Kind::List { variants: EXTINCTIONS, max: 16 }, "[]", "", "where particles may not be, one `[[system.extinction]]` each", "Reeves 2.4"),
+    keyed(optional("light_distance", numbers(1, 1e-6, 1e6), "10", "world units", "where light is as the colour says; it falls with the squared distance from the eye, or not at all if left out", "Reeves 2.5")),
 ];
 
 /// Keys of each `[[system.burst]]`.
 #[rustfmt::skip] // one row a line
 pub const BURST: &[Field] = &[
-    required("frame", whole(-65_000, 1_000_000), "10", "frames", "when, from frame 0 or the last trigger"),
-    required("parts", spread((0.0, 16e6), (0.0, 16e6)), "{ mean = 1000, var = 100 }", "particles", "how many"),
+    required("frame", whole(-65_000, 1_000_000), "10", "frames", "when, from frame 0 or the last trigger", ""),
+    required("parts", spread((0.0, 16e6), (0.0, 16e6)), "{ mean = 1000, var = 100 }", "particles", "how many", ""),
 ];
 
 const TITLE: Kind = text(200, false);
 const DESCRIPTION: Kind = text(10_000, true);
-pub(super) const PLACE: Kind = numbers(3, -1e6, 1e6);
 const PARTS: Kind = numbers(1, 0.0, 16e6);
 const PARTS_CHANGE: Kind = numbers(1, -16e6, 16e6);
 const DENSITY: Kind = numbers(1, 0.0, 1e3);
 const DENSITY_CHANGE: Kind = numbers(1, -1e3, 1e3);
-
-const fn text(max_chars: usize, lines: bool) -> Kind {
-    Kind::Text { max_chars, lines }
-}
-
-pub(super) const fn whole(min: i64, max: i64) -> Kind {
-    Kind::Whole { min, max }
-}
-
-const fn limits((min, max): (f64, f64)) -> Limits {
-    Limits { min, max }
-}
-
-pub(super) const fn numbers(count: usize, min: f64, max: f64) -> Kind {
-    let limits = limits((min, max));
-    Kind::Numbers { count, limits }
-}
-
-const fn spread(mean: (f64, f64), var: (f64, f64)) -> Kind {
-    Kind::Randomised {
-        count: 1,
-        mean: limits(mean),
-        var: limits(var),
-        rate: None,
-    }
-}
-
-const fn changing(count: usize, mean: (f64, f64), most: f64) -> Kind {
-    Kind::Randomised {
-        count,
-        mean: limits(mean),
-        var: limits((0.0, most)),
-        rate: Some(limits((-most, most))),
-    }
-}
-
-type Str = &'static str;
-
-pub(super) const fn required(key: Str, kind: Kind, example: Str, unit: Str, about: Str) -> Field {
-    let presence = Presence::Required(example);
-    Field {
-        key,
-        kind,
-        presence,
-        unit,
-        about,
-    }
-}
-
-const fn optional(key: Str, kind: Kind, example: Str, unit: Str, about: Str) -> Field {
-    let presence = Presence::Optional(example);
-    Field {
-        key,
-        kind,
-        presence,
-        unit,
-        about,
-    }
-}
-
-pub(super) const fn default(key: Str, kind: Kind, value: Str, unit: Str, about: Str) -> Field {
-    let presence = Presence::Default(value);
-    Field {
-        key,
-        kind,
-        presence,
-        unit,
-        about,
-    }
-}

@@ -1,185 +1,114 @@
-//! The tables of what goes by its `kind`. A row: key, kind, default or example, unit, meaning.
+//! The tables of what goes by its `kind`. A row is as in the other tables.
 
-use super::keys::{PLACE, default, numbers, required, whole};
-use super::{Kind, Variant};
+use super::rows::{DIRECTION, PLACE, default, keyed, numbers, required, whole};
+use super::{Field, Kind, Variant};
 
 /// What an `[[system.extinction]]` can be (Reeves 1983, 2.4).
 #[rustfmt::skip] // one row a line
 pub const EXTINCTIONS: &[Variant] = &[
-    Variant { name: "distance", fields: &[
-        required("direction", PLACE, "[0, 0, 1]", "the system's space", "a direction from the system's origin"),
-        required("distance", numbers(1, -1e6, 1e6), "5", "world units", "how far along it a particle may be"),
+    Variant { name: "distance", about: "particles die beyond a distance from their system", fields: &[
+        required("direction", DIRECTION, "[0, 0, 1]", "the system's space", "a direction from the system's origin", "Reeves 2.4"),
+        required("distance", numbers(1, -1e6, 1e6), "5", "world units", "how far along it a particle may be", "Reeves 2.4"),
     ] },
-    Variant { name: "plane", fields: &[
-        required("point", PLACE, "[0, 0, 0]", "world units", "a point of the plane"),
-        required("normal", PLACE, "[0, 1, 0]", "world space", "where the plane faces; what is behind it dies"),
+    Variant { name: "plane", about: "particles die behind a plane, such as under the ground", fields: &[
+        required("point", PLACE, "[0, 0, 0]", "world units", "a point of the plane", "Reeves 3"),
+        required("normal", DIRECTION, "[0, 1, 0]", "world space", "where the plane faces; what is behind it dies", "Reeves 3"),
     ] },
-    Variant { name: "sphere", fields: &[
-        required("center", PLACE, "[0, 0, 0]", "world units", "its centre"),
-        required("radius", EXTENT, "1", "world units", "its radius"),
-        required("kills", SIDE, "\"inside\"", "", "which side of it kills"),
+    Variant { name: "sphere", about: "particles die inside a ball, or outside it", fields: &[
+        required("center", PLACE, "[0, 0, 0]", "world units", "its centre", "Reeves 3"),
+        required("radius", EXTENT, "1", "world units", "its radius", "Reeves 3"),
+        required("kills", SIDE, "\"inside\"", "", "which side of it kills", "Reeves 3"),
     ] },
-    Variant { name: "box", fields: &[
-        required("min", PLACE, "[-1, -1, -1]", "world units", "the corner with the least coordinates"),
-        required("max", PLACE, "[1, 1, 1]", "world units", "the corner with the greatest"),
-        required("kills", SIDE, "\"outside\"", "", "which side of it kills"),
+    Variant { name: "box", about: "particles die inside a box along the axes, or outside it", fields: &[
+        required("min", PLACE, "[-1, -1, -1]", "world units", "the corner with the least coordinates", ""),
+        required("max", PLACE, "[1, 1, 1]", "world units", "the corner with the greatest", ""),
+        required("kills", SIDE, "\"outside\"", "", "which side of it kills", ""),
     ] },
 ];
 
 /// What a `[[wind]]` can be (Perry 1994, 3.2.3).
 #[rustfmt::skip] // one row a line
 pub const WINDS: &[Variant] = &[
-    Variant { name: "uniform", fields: &[
-        required("velocity", VELOCITY, "[0.02, 0, 0]", "world units a frame", "the same everywhere"),
+    Variant { name: "uniform", about: "the same wind everywhere", fields: &[
+        keyed(required("velocity", VELOCITY, "[0.02, 0, 0]", "world units a frame", "the same everywhere", "Perry 3.2.3")),
     ] },
-    Variant { name: "buoyancy", fields: &[
-        default("gravity", VELOCITY, "[0, -1, 0]", "world units a frame", "g, which the wind goes against"),
-        required("strength", numbers(1, -1e4, 1e4), "0.02", "", "k_g, the factor of g"),
+    Variant { name: "buoyancy", about: "hot air that rises against gravity", fields: &[
+        keyed(default("gravity", VELOCITY, "[0, -1, 0]", "world units a frame", "g, which the wind goes against", "Perry 3.2.3")),
+        keyed(required("strength", numbers(1, -1e4, 1e4), "0.02", "", "k_g, the factor of g", "Perry 3.2.3")),
     ] },
-    Variant { name: "gusts", fields: &[
-        required("velocity", VELOCITY, "[0.02, 0, 0]", "world units a frame", "the same everywhere, on average"),
-        default("amplitude", numbers(1, 0.0, 10.0), "0.5", "a share of the velocity", "how far it strays from that"),
-        default("frames", numbers(1, 1.0, 1e6), "48", "frames", "how long a gust lasts"),
+    Variant { name: "gusts", about: "the same wind everywhere, now stronger, now weaker", fields: &[
+        keyed(required("velocity", VELOCITY, "[0.02, 0, 0]", "world units a frame", "the same everywhere, on average", "Perry 3.2.3")),
+        default("amplitude", numbers(1, 0.0, 10.0), "0.5", "a share of the velocity", "how far it strays from that", ""),
+        default("frames", numbers(1, 1.0, 1e6), "48", "frames", "how long a gust lasts", ""),
     ] },
-    Variant { name: "vortex", fields: &[
-        required("position", PLACE, "[0, 0, 0]", "world units", "a point of the axis"),
-        default("axis", PLACE, "[0, 1, 0]", "world space", "the axis"),
-        required("speed", numbers(1, -1e4, 1e4), "0.05", "world units a frame", "around the axis, where it is fastest"),
-        default("radius", RADIUS, "1", "world units", "how far from the axis that is"),
+    Variant { name: "vortex", about: "a wind around an axis", fields: &[
+        keyed(required("position", PLACE, "[0, 0, 0]", "world units", "a point of the axis", "Perry 3.2.3")),
+        default("axis", DIRECTION, "[0, 1, 0]", "world space", "the axis", "Perry 3.2.3"),
+        keyed(required("speed", numbers(1, -1e4, 1e4), "0.05", "world units a frame", "around the axis, where it is fastest", "Perry 3.2.3")),
+        keyed(default("radius", RADIUS, "1", "world units", "how far from the axis that is", "")),
     ] },
-    Variant { name: "source", fields: &[
-        required("position", PLACE, "[0, 0, 0]", "world units", "where it flows out"),
-        required("strength", numbers(1, -1e9, 1e9), "0.05", "cubic world units a frame", "speed times squared distance, far away"),
-        default("radius", RADIUS, "1", "world units", "within which it is slower than that"),
+    Variant { name: "source", about: "air that flows out of a place", fields: &[
+        keyed(required("position", PLACE, "[0, 0, 0]", "world units", "where it flows out", "")),
+        keyed(required("strength", numbers(1, -1e9, 1e9), "0.05", "cubic world units a frame", "speed times squared distance, far away", "")),
+        keyed(default("radius", RADIUS, "1", "world units", "within which it is slower than that", "")),
     ] },
-    Variant { name: "sink", fields: &[
-        required("position", PLACE, "[0, 0, 0]", "world units", "where it flows in"),
-        required("strength", numbers(1, -1e9, 1e9), "0.05", "cubic world units a frame", "speed times squared distance, far away"),
-        default("radius", RADIUS, "1", "world units", "within which it is slower than that"),
+    Variant { name: "sink", about: "air that flows into a place", fields: &[
+        keyed(required("position", PLACE, "[0, 0, 0]", "world units", "where it flows in", "")),
+        keyed(required("strength", numbers(1, -1e9, 1e9), "0.05", "cubic world units a frame", "speed times squared distance, far away", "")),
+        keyed(default("radius", RADIUS, "1", "world units", "within which it is slower than that", "")),
     ] },
-    Variant { name: "attractor", fields: &[
-        required("position", PLACE, "[0, 0, 0]", "world units", "where it blows to"),
-        required("speed", numbers(1, -1e4, 1e4), "0.05", "world units a frame", "as fast from anywhere"),
-        default("radius", RADIUS, "1", "world units", "within which it slows down"),
+    Variant { name: "attractor", about: "a wind towards a place, as fast from anywhere", fields: &[
+        keyed(required("position", PLACE, "[0, 0, 0]", "world units", "where it blows to", "")),
+        keyed(required("speed", numbers(1, -1e4, 1e4), "0.05", "world units a frame", "as fast from anywhere", "")),
+        keyed(default("radius", RADIUS, "1", "world units", "within which it slows down", "")),
     ] },
-    Variant { name: "noise", fields: TURBULENCE },
-    Variant { name: "curl", fields: TURBULENCE },
+    Variant { name: "noise", about: "turbulence: the gradient of a noise", fields: TURBULENCE },
+    Variant { name: "curl", about: "turbulence: the curl of a noise, which gathers particles nowhere", fields: TURBULENCE },
 ];
 
 #[rustfmt::skip] // one row a line
-const TURBULENCE: &[super::Field] = &[
-    required("strength", numbers(1, -1e4, 1e4), "0.04", "world units a frame", "C, the root mean square of one octave's speed"),
-    default("scale", numbers(3, 0.0, 1e4), "[1, 1, 1]", "noise cells a world unit", "k_p along each axis"),
-    default("drift", numbers(3, -1e4, 1e4), "[0, 0, 0]", "noise cells a frame", "k_s j, how the pattern moves"),
-    default("octaves", whole(1, 8), "1", "", "how many, each of twice the frequency"),
-    default("spectrum_exponent", numbers(1, 0.0, 8.0), "3.6666667", "", "beta: the noise's power falls as 1 / frequency^beta"),
-    default("absolute", Kind::Flag, "false", "", "whether octaves count by their absolute value"),
+const TURBULENCE: &[Field] = &[
+    keyed(required("strength", numbers(1, -1e4, 1e4), "0.04", "world units a frame", "C, the root mean square of one octave's speed", "Perry 3.2.3")),
+    default("scale", numbers(3, 0.0, 1e4), "[1, 1, 1]", "noise cells a world unit", "k_p along each axis", "Perry 2.1.2, 3.4"),
+    default("drift", numbers(3, -1e4, 1e4), "[0, 0, 0]", "noise cells a frame", "k_s j, how the pattern moves", "Perry 3.2.3"),
+    default("octaves", whole(1, 8), "1", "", "how many, each of twice the frequency", "Perry 2.1.2"),
+    default("spectrum_exponent", numbers(1, 0.0, 8.0), "3.6666667", "", "beta: the noise's power falls as 1 / frequency^beta", "Perry 2.1.2"),
+    default("absolute", Kind::Flag, "false", "", "whether octaves count by their absolute value", "Perry 2.1.2"),
 ];
 
 /// What `generation_shape` can be (Reeves 1983, 2.2).
+#[rustfmt::skip] // one row a line
 pub const GENERATION_SHAPES: &[Variant] = &[
-    Variant {
-        name: "sphere",
-        fields: &[required(
-            "radius",
-            EXTENT,
-            "1",
-            "world units",
-            "particles leave outward",
-        )],
-    },
-    Variant {
-        name: "circle",
-        fields: &[required(
-            "radius",
-            EXTENT,
-            "1",
-            "world units",
-            "in the local x-y plane",
-        )],
-    },
-    Variant {
-        name: "rectangle",
-        fields: &[
-            required("length", EXTENT, "1", "world units", "extent along local x"),
-            required("width", EXTENT, "1", "world units", "extent along local y"),
-        ],
-    },
-    Variant {
-        name: "ring",
-        fields: &[
-            required(
-                "inner_radius",
-                EXTENT,
-                "0.8",
-                "world units",
-                "of the inner circle",
-            ),
-            required(
-                "outer_radius",
-                EXTENT,
-                "1",
-                "world units",
-                "of the outer circle",
-            ),
-        ],
-    },
-    Variant {
-        name: "box",
-        fields: &[
-            required("length", EXTENT, "1", "world units", "extent along local x"),
-            required("width", EXTENT, "1", "world units", "extent along local y"),
-            required("height", EXTENT, "1", "world units", "extent along local z"),
-        ],
-    },
-    Variant {
-        name: "cone",
-        fields: &[
-            required(
-                "height",
-                EXTENT,
-                "1",
-                "world units",
-                "along local z, from the apex",
-            ),
-            required(
-                "angle_degrees",
-                numbers(1, 0.0, 89.0),
-                "20",
-                "degrees",
-                "from the axis to the side",
-            ),
-        ],
-    },
-    Variant {
-        name: "line",
-        fields: &[required(
-            "length",
-            EXTENT,
-            "1",
-            "world units",
-            "extent along local x",
-        )],
-    },
-    Variant {
-        name: "attractor",
-        fields: &[
-            required(
-                "attractor",
-                Kind::Choice(&["lorenz", "rossler", "halvorsen"]),
-                "\"lorenz\"",
-                "",
-                "which chaotic system's trajectory",
-            ),
-            required(
-                "radius",
-                EXTENT,
-                "1",
-                "world units",
-                "from its centre to its farthest point",
-            ),
-        ],
-    },
+    Variant { name: "sphere", about: "a ball around the system's origin", fields: &[
+        keyed(required("radius", EXTENT, "1", "world units", "particles leave outward", "Reeves 2.2")),
+    ] },
+    Variant { name: "circle", about: "a disc", fields: &[
+        keyed(required("radius", EXTENT, "1", "world units", "in the local x-y plane", "Reeves 2.2")),
+    ] },
+    Variant { name: "rectangle", about: "a rectangle in the local x-y plane", fields: &[
+        keyed(required("length", EXTENT, "1", "world units", "extent along local x", "Reeves 2.2")),
+        keyed(required("width", EXTENT, "1", "world units", "extent along local y", "Reeves 2.2")),
+    ] },
+    Variant { name: "ring", about: "what is between two circles in the local x-y plane", fields: &[
+        keyed(required("inner_radius", EXTENT, "0.8", "world units", "of the inner circle", "")),
+        keyed(required("outer_radius", EXTENT, "1", "world units", "of the outer circle", "")),
+    ] },
+    Variant { name: "box", about: "a box around the system's origin", fields: &[
+        keyed(required("length", EXTENT, "1", "world units", "extent along local x", "")),
+        keyed(required("width", EXTENT, "1", "world units", "extent along local y", "")),
+        keyed(required("height", EXTENT, "1", "world units", "extent along local z", "")),
+    ] },
+    Variant { name: "cone", about: "a cone that opens along local z", fields: &[
+        keyed(required("height", EXTENT, "1", "world units", "along local z, from the apex", "")),
+        required("angle_degrees", numbers(1, 0.0, 89.0), "20", "degrees", "from the axis to the side", ""),
+    ] },
+    Variant { name: "line", about: "a piece of the local x axis", fields: &[
+        keyed(required("length", EXTENT, "1", "world units", "extent along local x", "")),
+    ] },
+    Variant { name: "attractor", about: "the trajectory of a chaotic system", fields: &[
+        required("attractor", Kind::Choice(&["lorenz", "rossler", "halvorsen"]), "\"lorenz\"", "", "which chaotic system's trajectory", "Reeves 2.2"),
+        keyed(required("radius", EXTENT, "1", "world units", "from its centre to its farthest point", "Reeves 2.2")),
+    ] },
 ];
 
 const VELOCITY: Kind = numbers(3, -1e4, 1e4);

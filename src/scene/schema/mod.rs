@@ -3,11 +3,16 @@
 //! The reader takes its rules from these tables, so what they say is what is enforced. A key is
 //! written `--set`-style: `image.width`, `system.0.speed.mean`.
 
+mod json;
 mod keys;
 mod kinds;
+mod markdown;
+mod rows;
 
+pub use json::json_schema;
 pub use keys::{BURST, CAMERA, IMAGE, LAYER, SCENE, SYSTEM};
 pub use kinds::{EXTINCTIONS, GENERATION_SHAPES, WINDS};
+pub use markdown::reference_page;
 
 /// One key of a table.
 #[derive(Clone, Copy, Debug)]
@@ -22,7 +27,28 @@ pub struct Field {
     pub unit: &'static str,
     /// What it does, as a clause without a full stop.
     pub about: &'static str,
+    /// Paper and section that it comes from, such as `Reeves 2.1` (1983) or `Perry 3.2.3` (1994);
+    /// empty if it is from neither.
+    pub source: &'static str,
+    /// Whether its value, or each part of a [`Kind::Randomised`], may change with the frame:
+    /// `{ keys = [[FRAME, VALUE], ...], interpolation = "linear" }`.
+    pub keyed: bool,
 }
+
+/// Frames that a key may stand at.
+pub const KEY_FRAMES: Limits = Limits {
+    min: -65_000.0,
+    max: 1e6,
+};
+
+/// Keys of one value at most.
+pub const MOST_KEYS: usize = 1000;
+
+/// How a value may get from one key to the next; the first is the default.
+pub const INTERPOLATIONS: [&str; 3] = ["linear", "smooth", "step"];
+
+/// Most characters of a [`Kind::Name`].
+pub const MOST_NAME_CHARS: usize = 64;
 
 /// Whether a key must be written. Each variant holds a value in TOML syntax.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,8 +81,11 @@ pub enum Kind {
         lines: bool,
     },
     /// Text that can stand in a path and in a file name: a letter or `_`, then letters, digits,
-    /// `-` and `_`, at most 64 characters.
-    Name,
+    /// `-` and `_`, at most [`MOST_NAME_CHARS`] characters.
+    Name {
+        /// Names that it cannot be.
+        reserved: &'static [&'static str],
+    },
     /// A whole number.
     Whole {
         /// The least value.
@@ -81,6 +110,8 @@ pub enum Kind {
         count: usize,
         /// What each may be.
         limits: Limits,
+        /// Whether they may not all be 0, since they are a direction.
+        nonzero: bool,
     },
     /// A table of `mean`, `var` (a half-width, by default 0) and, if `rate` is some, `rate` and
     /// `rate_var` (by default 0); or the mean alone. Each is a number if `count` is 1, else an array.
@@ -121,6 +152,8 @@ pub enum Kind {
 pub struct Variant {
     /// The word that `kind` has.
     pub name: &'static str,
+    /// What it is, as a clause without a full stop.
+    pub about: &'static str,
     /// The other keys of the table.
     pub fields: &'static [Field],
 }
@@ -150,12 +183,20 @@ impl Field {
         let example = ["1", "[1, 1]", "[1, 1, 1]"][count.clamp(1, 3) - 1];
         let field = |key, limits, presence, about| Field {
             key,
-            kind: Kind::Numbers { count, limits },
+            kind: Kind::Numbers {
+                count,
+                limits,
+                nonzero: false,
+            },
             presence,
-            unit: self.unit,
             about,
+            ..*self
         };
-        let required = Presence::Required(example);
+        // Where the whole has a default, its mean has.
+        let required = match self.presence {
+            Presence::Default(toml) => Presence::Default(default_mean(toml)),
+            _ => Presence::Required(example),
+        };
         let default = Presence::Default(zero);
         let mut fields = vec![
             field("mean", mean, required, "the middle of the range"),
@@ -169,4 +210,40 @@ impl Field {
         }
         fields
     }
+}
+
+/// The mean of a default in the form `{ mean = 0 }`, or of the mean alone.
+fn default_mean(toml: &'static str) -> &'static str {
+    let inner = toml.strip_prefix("{ mean = ");
+    inner
+        .and_then(|inner| inner.strip_suffix(" }"))
+        .unwrap_or(toml)
+}
+
+/// The tables around the one with this path, such as `system.jet.speed`, from the outermost on:
+/// each with its header, which is empty for the whole file.
+pub(super) fn around(path: &str) -> Vec<(String, &'static [Field])> {
+    let mut tables = Vec::new();
+    let mut fields = SCENE;
+    let mut header = String::new();
+    let mut parts = path.split('.');
+    while let Some(part) = parts.next() {
+        tables.push((header.clone(), fields));
+        let Some(field) = fields.iter().find(|field| field.key == part) else {
+            break;
+        };
+        let name = header.trim_matches(['[', ']']);
+        let dot = if name.is_empty() { "" } else { "." };
+        let path = format!("{name}{dot}{part}");
+        (fields, header) = match field.kind {
+            Kind::Table(fields) => (fields, format!("[{path}]")),
+            Kind::Tables { fields, .. } => {
+                // Its name or its index.
+                parts.next();
+                (fields, format!("[[{path}]]"))
+            }
+            _ => break,
+        };
+    }
+    tables
 }

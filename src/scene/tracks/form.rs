@@ -2,18 +2,13 @@
 
 use crate::scene::SceneError;
 use crate::scene::error::{did_you_mean, shortened};
+use crate::scene::schema::{INTERPOLATIONS, KEY_FRAMES, MOST_KEYS};
 use crate::scene::tree::{Node, Value, plain};
-
-/// Keys of one value at most.
-const MAX_KEYS: usize = 1000;
 
 /// What a table of keys must be.
 const FORM: &str = "{ keys = [[FRAME, VALUE], ...], interpolation = \"linear\" }: 1 to 1000 keys in \
                     ascending order of frames, each from -65_000 to 1_000_000; interpolation is \
                     linear, smooth or step, and linear if left out";
-
-/// The words for [`Interpolation`].
-const WORDS: [&str; 3] = ["linear", "smooth", "step"];
 
 /// Whether a table of keys stands where a value could.
 pub(in crate::scene) fn is_animated(node: &Node) -> bool {
@@ -62,7 +57,7 @@ pub(in crate::scene) fn pairs<'a>(
     if items.is_empty() {
         return refuse(&entry.node, "", "is empty");
     }
-    if items.len() > MAX_KEYS {
+    if items.len() > MOST_KEYS {
         return refuse(
             &entry.node,
             "",
@@ -84,7 +79,7 @@ pub(in crate::scene) fn pairs<'a>(
             Value::Number(number) => number,
             _ => return cannot(frame, &part),
         };
-        if !(-65_000.0..=1e6).contains(&number) {
+        if !(KEY_FRAMES.min..=KEY_FRAMES.max).contains(&number) {
             return refuse(frame, &part, &format!("is out of range: {}", plain(number)));
         }
         if let Some((last, _)) = pairs.last().filter(|(last, _)| number <= *last) {
@@ -106,9 +101,11 @@ fn interpolation(node: &Node, path: &str) -> Result<(), SceneError> {
         let what = format!("`{path}` cannot be {}", node.describe());
         return Err(node.at.error(what, FORM));
     };
-    if WORDS.contains(&word) {
+    if INTERPOLATIONS.contains(&word) {
         return Ok(());
     }
     let what = format!("`{path}` cannot be \"{}\"", shortened(word));
-    Err(node.at.error(what, did_you_mean(word, WORDS) + FORM))
+    Err(node
+        .at
+        .error(what, did_you_mean(word, INTERPOLATIONS) + FORM))
 }

@@ -5,7 +5,7 @@ use super::places::numbers_of;
 use super::{Interpolation, Key, Owner, Track};
 use crate::scene::schema::{CAMERA, Field, IMAGE, Kind, SYSTEM, WINDS};
 use crate::scene::tree::{Node, Value};
-use crate::scene::{Scene, SceneError, Spread};
+use crate::scene::{Scene, SceneError};
 
 /// Finds every value with keys in a scene file that has been read into `scene`.
 pub(in crate::scene) fn collect(root: &Node, scene: &mut Scene) -> Result<(), SceneError> {
@@ -162,48 +162,32 @@ fn numbers(node: &Node) -> [f32; 3] {
 /// The keys of this owner whose values can change.
 fn able(owner: Owner, scene: &Scene) -> Vec<String> {
     let mut scene = scene.clone();
-    let fields: &[Field] = match owner {
-        Owner::Image => IMAGE,
-        Owner::Camera => CAMERA,
-        Owner::Wind(_) => &WINDS
-            .iter()
-            .flat_map(|wind| wind.fields)
-            .copied()
-            .collect::<Vec<_>>(),
-        Owner::System(at) => {
-            let system = &mut scene.systems[at];
-            // What is not written could be.
-            let lifetime = Spread {
-                mean: 1.0,
-                var: 0.0,
-            };
-            system.lifetime.get_or_insert(lifetime);
-            system.intensity_threshold.get_or_insert(0.0);
-            system.light_distance.get_or_insert(1.0);
-            SYSTEM
-        }
+    // Of what goes by its kind, only the keys of its own.
+    let mut is_here = |key: &str| numbers_of(&mut scene, owner, key).is_some();
+    let fields: Vec<&Field> = match owner {
+        Owner::Image => IMAGE.iter().collect(),
+        Owner::Camera => CAMERA.iter().collect(),
+        Owner::Wind(_) => WINDS.iter().flat_map(|wind| wind.fields).collect(),
+        Owner::System(_) => SYSTEM.iter().collect(),
     };
+    let is_wind = matches!(owner, Owner::Wind(_));
     let mut able: Vec<String> = Vec::new();
     for field in fields {
-        let mut keys = vec![field.key.to_owned()];
-        match field.kind {
-            Kind::Randomised { .. } => {
-                let parts = field.randomised_fields();
-                keys = parts
-                    .iter()
-                    .map(|part| format!("{}.{}", field.key, part.key))
-                    .collect();
+        let below = |part: &Field| format!("{}.{}", field.key, part.key);
+        let keys = match field.kind {
+            Kind::Randomised { .. } if field.keyed => {
+                field.randomised_fields().iter().map(below).collect()
             }
             Kind::Variants(variants) => {
                 let parts = variants.iter().flat_map(|variant| variant.fields);
-                keys = parts
-                    .map(|part| format!("{}.{}", field.key, part.key))
-                    .collect();
+                let keys = parts.filter(|part| part.keyed).map(below);
+                keys.filter(|key| is_here(key)).collect()
             }
-            _ => {}
-        }
+            _ if !field.keyed || (is_wind && !is_here(field.key)) => Vec::new(),
+            _ => vec![field.key.to_owned()],
+        };
         for key in keys {
-            if numbers_of(&mut scene, owner, &key).is_some() && !able.contains(&key) {
+            if !able.contains(&key) {
                 able.push(key);
             }
         }

@@ -1,0 +1,186 @@
+//! The tables as a page for people.
+
+use super::json::sentence;
+use super::{
+    BURST, CAMERA, EXTINCTIONS, Field, GENERATION_SHAPES, IMAGE, Kind, LAYER, Limits, Presence,
+    SCENE, SYSTEM, Variant, WINDS,
+};
+use crate::scene::expect::{digits, range};
+
+/// What holds for all keys.
+const INTRODUCTION: &str = include_str!("introduction.md");
+
+/// Stands after keys that can change with the frame.
+const CAN_CHANGE: &str = " ◆";
+
+/// A page of Markdown about every key of a scene file.
+#[must_use]
+pub fn reference_page() -> String {
+    let mut page = INTRODUCTION.to_owned();
+    let tables: [(&str, &str, &[Field]); 4] = [
+        ("Top of the file", "Above the first header.", SCENE),
+        (
+            "`[image]`",
+            "The picture that frames are drawn into.",
+            IMAGE,
+        ),
+        ("`[camera]`", "The viewer.", CAMERA),
+        (
+            "`[[system]]`",
+            "A particle system, as many as you like.",
+            SYSTEM,
+        ),
+    ];
+    for (heading, about, fields) in tables {
+        page += &section(heading, about, fields);
+    }
+    let about = "Births all at once, inside the `[[system]]` above it.";
+    page += &section("`[[system.burst]]`", about, BURST);
+    let about = "Where the particles of a system are born: a table by its kind.";
+    page += &kinds("`generation_shape`", about, GENERATION_SHAPES, |shape| {
+        let keys = lines(shape).collect::<Vec<_>>().join(", ");
+        format!("generation_shape = {{ {keys} }}\n")
+    });
+    let list = |header: &'static str| {
+        move |kind: &Variant| {
+            let lines: String = lines(kind).map(|line| line + "\n").collect();
+            format!("{header}\n{lines}")
+        }
+    };
+    let about = "Where the particles of the `[[system]]` above it may not be: a table by its kind.";
+    let header = "[[system.extinction]]";
+    page += &kinds("`[[system.extinction]]`", about, EXTINCTIONS, list(header));
+    let about = "A part of the wind, which is the sum of all of them and moves the particles of \
+                 systems with `drag`: a table by its kind.";
+    page += &kinds("`[[wind]]`", about, WINDS, list("[[wind]]"));
+    let about = "A plane that splits the picture into layers.";
+    page + &section("`[[layer]]`", about, LAYER)
+}
+
+fn section(heading: &str, about: &str, fields: &[Field]) -> String {
+    format!("\n## {heading}\n\n{about}\n\n{}", table(fields))
+}
+
+fn kinds(
+    heading: &str,
+    about: &str,
+    kinds: &[Variant],
+    example: impl Fn(&Variant) -> String,
+) -> String {
+    let mut text = format!("\n## {heading}\n\n{about}\n");
+    for kind in kinds {
+        let about = sentence(kind.about);
+        let (table, example) = (table(kind.fields), example(kind));
+        text += &format!(
+            "\n### `{}`\n\n{about}\n\n{table}\n```toml\n{example}```\n",
+            kind.name
+        );
+    }
+    text
+}
+
+/// `key = value` for each key of a kind.
+fn lines(kind: &Variant) -> impl Iterator<Item = String> {
+    let first = format!("kind = \"{}\"", kind.name);
+    let fields = kind.fields.iter();
+    std::iter::once(first).chain(fields.map(|field| format!("{} = {}", field.key, field.sample())))
+}
+
+fn table(fields: &[Field]) -> String {
+    let mut text = "| key | what it is | value | unit | default | source |\n\
+                    |---|---|---|---|---|---|\n"
+        .to_owned();
+    for field in fields {
+        let can_change = if field.keyed { CAN_CHANGE } else { "" };
+        let default = match field.presence {
+            Presence::Required(_) => "required".to_owned(),
+            Presence::Optional(_) => "none".to_owned(),
+            Presence::Default(toml) => format!("`{toml}`"),
+        };
+        let source = match field.source {
+            "" => "Motes",
+            source => source,
+        };
+        let (words, unit, about) = (value(field), field.unit, field.about);
+        text += &format!(
+            "| `{}`{can_change} | {about} | {words} | {unit} | {default} | {source} |\n",
+            field.key
+        );
+    }
+    text
+}
+
+fn value(field: &Field) -> String {
+    match field.kind {
+        Kind::Text { max_chars, lines } => {
+            let lines = if lines { "text" } else { "a line" };
+            format!("{lines} of at most {} characters", digits(max_chars as f64))
+        }
+        Kind::Name { .. } => "a name".to_owned(),
+        Kind::Whole { min, max } => format!("a whole number {}", range(min as f64, max as f64)),
+        Kind::Wholes { min, max, most } => {
+            let range = range(min.into(), max.into());
+            format!("at most {most} whole numbers in ascending order, each {range}")
+        }
+        Kind::Flag => "`true` or `false`".to_owned(),
+        Kind::Numbers {
+            count,
+            limits,
+            nonzero,
+        } => {
+            let but = if nonzero { ", not all 0" } else { "" };
+            format!("{}{but}", numbers(count, limits))
+        }
+        Kind::Randomised { count, .. } => {
+            let of = if count == 1 {
+                "a spread"
+            } else {
+                "a spread of 3 numbers"
+            };
+            let parts = field.randomised_fields();
+            let parts = parts.iter().filter_map(|part| match part.kind {
+                Kind::Numbers { limits, .. } => {
+                    Some(format!("{} {}", part.key, range(limits.min, limits.max)))
+                }
+                _ => None,
+            });
+            format!("{of}: {}", parts.collect::<Vec<_>>().join(", "))
+        }
+        Kind::Choice(words) => {
+            let words: Vec<String> = words.iter().map(|word| format!("`\"{word}\"`")).collect();
+            words.join(" or ")
+        }
+        Kind::Table(_) => format!("a table: [`[{0}]`](#{0})", field.key),
+        Kind::Tables { max, .. } => tables(field, max),
+        Kind::Variants(_) => format!("a table: [`{0}`](#{0})", field.key),
+        Kind::List { max, .. } => tables(field, max),
+    }
+}
+
+fn tables(field: &Field, max: usize) -> String {
+    let least = match field.presence {
+        Presence::Required(_) => "1 to",
+        _ => "at most",
+    };
+    let of_system = SYSTEM.iter().any(|of_system| of_system.key == field.key);
+    let (path, anchor) = if of_system {
+        (
+            format!("system.{}", field.key),
+            format!("system{}", field.key),
+        )
+    } else {
+        (field.key.to_owned(), field.key.to_owned())
+    };
+    format!(
+        "{least} {} tables: [`[[{path}]]`](#{anchor})",
+        digits(max as f64)
+    )
+}
+
+fn numbers(count: usize, limits: Limits) -> String {
+    let range = range(limits.min, limits.max);
+    match count {
+        1 => format!("a number {range}"),
+        _ => format!("{count} numbers, each {range}"),
+    }
+}
