@@ -86,3 +86,7 @@ pub mod rng;
 pub mod scene;
 pub mod simulation;
 pub mod transcendental;
+
+pub use simulation::{AdapterChoice, Options, Simulation, SimulationError};
+/// The graphics interface, in the version whose devices Motes runs on.
+pub use wgpu;

@@ -1,10 +1,12 @@
 //! Why a simulation could not begin or go on.
 
 use crate::backend::BackendError;
+use crate::gpu::TextureError;
 use crate::plan::PlanError;
 
 /// Why a simulation could not begin or go on.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum SimulationError {
     /// The scene asks for what cannot be planned.
     Plan(PlanError),
@@ -15,6 +17,8 @@ pub enum SimulationError {
         /// What there is.
         available: Vec<String>,
     },
+    /// A texture cannot take the picture.
+    Texture(TextureError),
     /// The machine failed.
     Backend(BackendError),
 }
@@ -30,6 +34,7 @@ impl std::fmt::Display for SimulationError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Plan(e) => e.fmt(f),
+            Self::Texture(e) => e.fmt(f),
             Self::Backend(e) => e.fmt(f),
             Self::NoAdapter { wanted, available } => write!(
                 f,
@@ -51,5 +56,11 @@ impl From<BackendError> for SimulationError {
 impl From<PlanError> for SimulationError {
     fn from(error: PlanError) -> Self {
         Self::Plan(error)
+    }
+}
+
+impl From<TextureError> for SimulationError {
+    fn from(error: TextureError) -> Self {
+        Self::Texture(error)
     }
 }
