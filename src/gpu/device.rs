@@ -30,7 +30,8 @@ impl Eq for GpuDevice {}
 
 impl GpuDevice {
     /// The caller's own device, opened with [`super::device_descriptor`] or with what
-    /// [`super::required_features`] and [`super::required_limits`] name, and its queue.
+    /// [`super::required_features`] and [`super::required_limits`] name, and the queue that was
+    /// opened with it. (wgpu does not tell whose a queue is: one of another device would panic.)
     ///
     /// The device remains the caller's: its callbacks are left as they are, and what our calls do
     /// wrong comes back as [`BackendError`] and does not reach them. Work is submitted to the
@@ -58,14 +59,10 @@ impl GpuDevice {
     pub fn from_wgpu(device: &wgpu::Device, queue: &wgpu::Queue) -> Result<Self, UnfitDevice> {
         check_needs(device)?;
         let description = describe(&device.adapter_info(), device.features(), &device.limits());
-        let ours = Self::new(description, device.clone(), queue.clone());
-        if ours.loss().is_some() {
+        if watch::is_gone(device) {
             return Err(UnfitDevice::Lost);
         }
-        match ours.misuse() {
-            None => Ok(ours),
-            Some(error) => Err(UnfitDevice::Queue(error.to_string())),
-        }
+        Ok(Self::new(description, device.clone(), queue.clone()))
     }
 
     /// Of a device that fits.

@@ -74,8 +74,6 @@ pub enum UnfitDevice {
     },
     /// It has been destroyed, or its driver has given it up.
     Lost,
-    /// The queue cannot be used with the device, by wgpu's word: it is another device's.
-    Queue(String),
 }
 
 impl std::fmt::Display for UnfitDevice {
@@ -92,11 +90,6 @@ impl std::fmt::Display for UnfitDevice {
                  help: open it with `motes::gpu::required_limits`"
             ),
             Self::Lost => write!(f, "error: the device is lost\n  = help: open another one"),
-            Self::Queue(why) => write!(
-                f,
-                "error: the queue does not work with the device: {why}\n  = help: give the queue \
-                 that was opened together with it"
-            ),
         }
     }
 }

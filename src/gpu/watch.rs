@@ -52,6 +52,20 @@ pub(super) fn named(error: &wgpu::Error) -> BackendError {
     }
 }
 
+/// Whether the device gives out no memory: that of a lost device cannot be looked at.
+pub(super) fn is_gone(device: &wgpu::Device) -> bool {
+    let scopes = Scopes::open(device);
+    let buffer = device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("motes: probe"),
+        size: 4,
+        usage: wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: true,
+    });
+    let gone = buffer.slice(..).get_mapped_range().is_err();
+    drop(scopes);
+    gone
+}
+
 impl GpuDevice {
     /// Does the work, which calls wgpu on this thread, and says what of it went wrong.
     pub(super) fn watched<T>(
@@ -78,7 +92,8 @@ impl GpuDevice {
     /// That the device is lost, if it is.
     pub(super) fn loss(&self) -> Option<BackendError> {
         let scopes = Scopes::open(&self.device);
-        let refused = self.write_probe();
+        let size = wgpu::BufferSize::MIN.saturating_add(3);
+        let refused = self.queue.write_buffer_with(&self.probe, 0, size).is_none();
         let quietly = refused && scopes.caught().is_none();
         quietly.then(|| match self.check() {
             Err(lost @ BackendError::DeviceLost(_)) => lost,
@@ -87,20 +102,6 @@ impl GpuDevice {
                 self.description.name
             )),
         })
-    }
-
-    /// What a write with this queue to this device is refused for, when it is not lost.
-    pub(super) fn misuse(&self) -> Option<wgpu::Error> {
-        let scopes = Scopes::open(&self.device);
-        self.write_probe();
-        scopes.caught()
-    }
-
-    /// Whether four bytes cannot be written, whatever the reason.
-    fn write_probe(&self) -> bool {
-        self.queue
-            .write_buffer_with(&self.probe, 0, wgpu::BufferSize::MIN.saturating_add(3))
-            .is_none()
     }
 
     /// Writes to a buffer, as [`wgpu::Queue::write_buffer`] does, which does not tell whether the
