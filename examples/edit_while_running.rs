@@ -9,7 +9,7 @@ use motes::recording::{Change, Recording};
 use motes::{AdapterChoice, Options, Simulation, scene};
 
 const SCENE: &str = "sparks-in-wind";
-const FRAMES: u32 = 40;
+const FRAMES: u32 = 24;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     // A smaller scene. Its births may be turned up later: the capacity has to cover that.
@@ -27,9 +27,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     // What somebody at the knobs does, and when.
     let knobs = [
-        (10, "system.dust.initial_mean_parts=900"),
-        (20, "system.dust.color=[0.9,0.1,0.1]"),
-        (30, "system.dust.drag=0"),
+        (6, "system.dust.initial_mean_parts=900"),
+        (12, "system.dust.color=[0.9,0.1,0.1]"),
+        (18, "system.dust.drag=0"),
     ];
     let mut recording = Recording::default();
     let mut simulation = Simulation::new(&base, &options)?;
@@ -47,7 +47,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             });
         }
         simulation.step()?;
-        if frame % 10 == 9 {
+        if frame % 6 == 5 {
             println!("frame {frame}: {} particles", simulation.particles()?.len());
         }
     }

@@ -150,7 +150,7 @@ fn edit_while_running_replays_what_was_done() {
         assert!(names_the_adapter(&text, &on), "{text}");
         assert!(text.trim_end().ends_with(": equal"), "{text}");
         assert!(
-            text.contains("\n10 system.dust.initial_mean_parts=900\n"),
+            text.contains("\n6 system.dust.initial_mean_parts=900\n"),
             "{text}"
         );
         let live = |frame: u32| -> u32 {
@@ -160,8 +160,8 @@ fn edit_while_running_replays_what_was_done() {
                 .find_map(|line| line.strip_prefix(&start)?.strip_suffix(" particles"));
             words.and_then(|count| count.parse().ok()).expect("a count")
         };
-        // Ten frames of 800 more births each, of which few have died.
-        assert!(live(19) > live(9) + 6000, "{text}");
+        // Six frames of 800 more births each, of which few have died.
+        assert!(live(11) > live(5) + 3600, "{text}");
         texts.push(text.lines().skip(1).collect::<Vec<_>>().join("\n"));
     }
     assert!(texts.iter().all(|text| *text == texts[0]), "{texts:#?}");

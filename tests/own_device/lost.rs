@@ -148,6 +148,7 @@ target = [0, 0, 0]
 name = \"crowd\"
 initial_mean_parts = 1
 generation_shape = { kind = \"sphere\", radius = 1 }
+speed = 0
 lifetime = 3
 color = [1, 1, 1]
 size = 0.01";
