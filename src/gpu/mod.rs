@@ -13,6 +13,7 @@ pub mod dispatch;
 mod kernel;
 mod memory;
 mod needs;
+mod options;
 mod picture;
 mod probe;
 mod raw;
@@ -32,6 +33,7 @@ use crate::plan::{FrameInputs, Plan, STAGES, Stage};
 use commands::Command;
 use kernel::Kernel;
 use memory::Memory;
+use options::switches_off;
 use readback::StatisticsRing;
 use timing::Timer;
 
@@ -40,42 +42,10 @@ pub use commands::{KernelUse, STAGE_KERNELS};
 pub use device::GpuDevice;
 pub use kernel::check_binding;
 pub use needs::{UnfitDevice, device_descriptor, required_features, required_limits};
+pub use options::{GpuOptions, Mutation};
 pub use picture::{ParticleBuffers, TextureError};
 pub use probe::KernelForm;
 pub use timing::KernelTimes;
-
-/// A change that a test makes to one kernel's module.
-#[derive(Clone, Copy)]
-pub struct Mutation<'a> {
-    /// The kernel, e.g. `particles/advance`.
-    pub kernel: &'a str,
-    /// The change, after the lint.
-    pub change: &'a dyn Fn(&mut naga::Module),
-}
-
-/// How to run on a device. None of these but `plain` changes a bit of the result.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct GpuOptions {
-    /// Invocations a workgroup, 8 ..= 256, a multiple of 8; 0 for the default of 256.
-    pub workgroup_size: u32,
-    /// Most bytes a page of the pools; 0 for as much as the adapter binds.
-    pub page_bytes: u64,
-    /// Whether kernels check their own indices and bound their loops.
-    pub checked: bool,
-    /// Whether the adapter gets plain WGSL though it would take SPIR-V: what adapters that take
-    /// none get. This alone may change bits.
-    pub plain: bool,
-    /// Whether kernels are timed, each in a pass of its own.
-    pub timed: bool,
-}
-
-/// Switches of what the plan does not use.
-fn switches_off(plan: &Plan) -> Vec<&'static str> {
-    let switches = plan.uses.switches().into_iter();
-    switches
-        .filter_map(|(switch, used)| (!used).then_some(switch))
-        .collect()
-}
 
 /// The state of a run on a device.
 pub struct GpuBackend {

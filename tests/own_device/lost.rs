@@ -146,15 +146,18 @@ position = [0, 0, 5]
 target = [0, 0, 0]
 [[system]]
 name = \"crowd\"
-initial_mean_parts = 1
+initial_mean_parts = 16000000
 generation_shape = { kind = \"sphere\", radius = 1 }
 speed = 0
 lifetime = 3
 color = [1, 1, 1]
 size = 0.01";
     let mut scene = motes::scene::parse(text, "crowd.toml", "crowd").expect("a scene");
-    // More than a file may ask for.
-    scene.systems[0].births.initial_mean_parts = 1.0e9;
+    let crowd = scene.systems[0].clone();
+    scene.systems.extend((1..64).map(|at| motes::scene::System {
+        name: format!("crowd-{at}"),
+        ..crowd.clone()
+    }));
     let mut simulation = super::on_processor(&scene);
     let error = failed(simulation.step());
     assert!(matches!(error, BackendError::OutOfMemory(_)), "{error}");
