@@ -2,17 +2,24 @@
 
 mod record;
 
+use std::any::Any;
+
 use crate::layout::FrameStats;
 use crate::plan::{FrameInputs, STAGES, Stage};
 
 pub use record::{BindingRecord, BufferRecord, DispatchRecord, Groups, KernelRecord, StageRecord};
 
 /// Why a backend could not go on. All of these are the machine's fault, not the scene's.
+///
+/// After an error of a step the run's state is unknown: the run is over, and a new one makes the
+/// same bits. After [`BackendError::DeviceLost`] the device is over, too. Whatever else fails,
+/// drawing or reading, leaves the run as it was.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum BackendError {
     /// There was no room for a buffer; what and how many bytes.
     OutOfMemory(String),
-    /// The driver gave up.
+    /// The driver gave up, or the device's owner destroyed it.
     DeviceLost(String),
     /// The adapter cannot run the plan.
     Unsupported(String),
@@ -76,8 +83,8 @@ pub(crate) fn try_zeroed<T: bytemuck::Zeroable + Clone>(
     Ok(zeros)
 }
 
-/// A plan under way on some processor. Pools start empty.
-pub trait Backend {
+/// A plan under way on some processor. Pools start empty. It may move to another thread.
+pub trait Backend: Any + Send {
     /// Name of the adapter, for people.
     fn adapter_name(&self) -> String;
 

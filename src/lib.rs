@@ -58,7 +58,7 @@
 //! # Example
 //!
 //! ```
-//! use motes::simulation::{AdapterChoice, Options, Simulation};
+//! use motes::{AdapterChoice, Options, Simulation};
 //!
 //! let scene = motes::scene::load_with("fountain", &["image.width=160".into(), "image.height=90".into()])?;
 //! let options = Options { adapter: AdapterChoice::Cpu, ..Options::default() };
@@ -69,6 +69,15 @@
 //! assert_eq!(simulation.particles()?.len(), simulation.take_statistics()?[11].live as usize);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! An application with a wgpu device of its own hands it over ([`gpu::GpuDevice::from_wgpu`]) and
+//! has the picture drawn into its textures ([`Simulation::draw_into`]), or draws the particles
+//! itself ([`Simulation::particle_buffers`]). Scenes are edited while they run by
+//! [`Simulation::turn`]. `examples/` shows each of these at work.
+//!
+//! Everything that can fail says how in a type: [`SimulationError`] has all that a simulation can
+//! meet, and tells the scene's faults from the machine's ([`backend::BackendError`]). Errors can be
+//! sent to other threads, and so can a [`Simulation`].
 
 pub mod area;
 pub mod backend;
@@ -87,3 +96,7 @@ pub mod rng;
 pub mod scene;
 pub mod simulation;
 pub mod transcendental;
+
+pub use simulation::{AdapterChoice, Options, Simulation, SimulationError};
+/// The graphics interface, in the version whose devices Motes runs on.
+pub use wgpu;

@@ -63,7 +63,7 @@ fn everything() -> (Plan, Vec<Frame>) {
 const SMALL_PAGE: u64 = 1 << 16;
 
 /// The same frames as the processor's in each variant on the first adapter.
-fn assert_same(variants: impl IntoIterator<Item = GpuOptions<'static>>) {
+fn assert_same(variants: impl IntoIterator<Item = GpuOptions>) {
     let (plan, expected) = everything();
     let device = common::open(&common::adapters()[0]);
     for options in variants {

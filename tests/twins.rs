@@ -8,7 +8,7 @@ use motes::layout::Counts;
 use motes::plan::{FrameInputs, Plan};
 
 /// Small pages, so that survivors cross from page to page.
-fn small_pages() -> GpuOptions<'static> {
+fn small_pages() -> GpuOptions {
     GpuOptions {
         page_bytes: 64 << 10,
         workgroup_size: 64,

@@ -1,7 +1,7 @@
-//! Which adapters there are, which one is meant, and a device on it.
+//! Which adapters there are, which one is meant, and a device of our own on it.
 
-use std::sync::{Arc, Mutex};
-
+use super::device::{GpuDevice, is_exact};
+use super::needs::required_features;
 use crate::backend::BackendError;
 
 /// An adapter, for people and for `motes adapters --json`.
@@ -21,16 +21,6 @@ pub struct AdapterDescription {
     pub most_binding_bytes: u64,
 }
 
-/// A device that is open, with what has gone wrong on it so far.
-#[derive(Clone, Debug)]
-pub struct GpuDevice {
-    /// The adapter it stands on.
-    pub description: AdapterDescription,
-    pub(super) device: wgpu::Device,
-    pub(super) queue: wgpu::Queue,
-    failure: Arc<Mutex<Option<BackendError>>>,
-}
-
 fn instance() -> wgpu::Instance {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
     descriptor.backends = wgpu::Backends::PRIMARY;
@@ -43,8 +33,11 @@ fn instance() -> wgpu::Instance {
     wgpu::Instance::new(descriptor)
 }
 
-fn describe(adapter: &wgpu::Adapter) -> AdapterDescription {
-    let info = adapter.get_info();
+pub(super) fn describe(
+    info: &wgpu::AdapterInfo,
+    features: wgpu::Features,
+    limits: &wgpu::Limits,
+) -> AdapterDescription {
     let driver = format!("{} {}", info.driver, info.driver_info);
     AdapterDescription {
         name: info.name.clone(),
@@ -55,16 +48,13 @@ fn describe(adapter: &wgpu::Adapter) -> AdapterDescription {
         } else {
             "hardware"
         },
-        exact: takes_spirv(adapter),
-        most_binding_bytes: adapter.limits().max_storage_buffer_binding_size,
+        exact: is_exact(info, features),
+        most_binding_bytes: limits.max_storage_buffer_binding_size,
     }
 }
 
-fn takes_spirv(adapter: &wgpu::Adapter) -> bool {
-    adapter.get_info().backend == wgpu::Backend::Vulkan
-        && adapter
-            .features()
-            .contains(wgpu::Features::PASSTHROUGH_SHADERS)
+fn describe_adapter(adapter: &wgpu::Adapter) -> AdapterDescription {
+    describe(&adapter.get_info(), adapter.features(), &adapter.limits())
 }
 
 /// Adapters that can run kernels: hardware first, then software.
@@ -88,7 +78,7 @@ fn usable(instance: &wgpu::Instance) -> Vec<wgpu::Adapter> {
 
 /// All adapters that can run kernels, best first.
 pub fn adapters() -> Vec<AdapterDescription> {
-    usable(&instance()).iter().map(describe).collect()
+    usable(&instance()).iter().map(describe_adapter).collect()
 }
 
 /// Opens the first adapter whose name or driver contains `name`, whatever the case; the first of
@@ -109,65 +99,15 @@ pub fn open(name: &str) -> Result<Option<GpuDevice>, BackendError> {
 }
 
 fn open_adapter(adapter: &wgpu::Adapter) -> Result<GpuDevice, BackendError> {
-    let description = describe(adapter);
-    let mut features = wgpu::Features::IMMEDIATES;
-    features |= adapter.features() & wgpu::Features::TIMESTAMP_QUERY;
-    if description.exact {
-        features |= wgpu::Features::PASSTHROUGH_SHADERS;
-    }
+    let description = describe_adapter(adapter);
+    let stamps = adapter.features() & wgpu::Features::TIMESTAMP_QUERY;
     let request = adapter.request_device(&wgpu::DeviceDescriptor {
         label: Some("motes"),
-        required_features: features,
+        required_features: required_features(adapter) | stamps,
         required_limits: adapter.limits(),
-        experimental_features: super::raw::experimental_features(),
         ..Default::default()
     });
     let (device, queue) = pollster::block_on(request)
         .map_err(|e| BackendError::DeviceLost(format!("{}: {e}", description.name)))?;
-    let failure = Arc::new(Mutex::new(None));
-    let (on_error, on_loss) = (failure.clone(), failure.clone());
-    device.on_uncaptured_error(Arc::new(move |error| {
-        let failed = match &error {
-            wgpu::Error::OutOfMemory { .. } => {
-                BackendError::OutOfMemory("the adapter's memory is used up".into())
-            }
-            other => BackendError::Internal(other.to_string()),
-        };
-        keep_first(&on_error, failed);
-    }));
-    device.set_device_lost_callback(move |reason, message| {
-        if reason != wgpu::DeviceLostReason::Destroyed {
-            keep_first(&on_loss, BackendError::DeviceLost(message));
-        }
-    });
-    Ok(GpuDevice {
-        description,
-        device,
-        queue,
-        failure,
-    })
-}
-
-fn keep_first(slot: &Mutex<Option<BackendError>>, failure: BackendError) {
-    if let Ok(mut slot) = slot.lock() {
-        slot.get_or_insert(failure);
-    }
-}
-
-impl GpuDevice {
-    /// What has gone wrong since the device was opened, if anything has.
-    pub(super) fn check(&self) -> Result<(), BackendError> {
-        match self.failure.lock() {
-            Ok(slot) => slot.clone().map_or(Ok(()), Err),
-            Err(_) => Err(BackendError::Internal("an error handler failed".into())),
-        }
-    }
-
-    /// Waits until all submitted work is done.
-    pub(super) fn wait(&self) -> Result<(), BackendError> {
-        self.device
-            .poll(wgpu::PollType::wait_indefinitely())
-            .map_err(|e| BackendError::DeviceLost(e.to_string()))?;
-        self.check()
-    }
+    Ok(GpuDevice::of_our_own(description, device, queue))
 }

@@ -323,7 +323,7 @@ impl GpuBackend {
         Ok(vec![self.digest_command(
             image,
             0,
-            self.pixels.div_ceil(4),
+            (self.width * self.height).div_ceil(4),
             1,
             false,
         )?])

@@ -1,6 +1,6 @@
 //! A compiled kernel on a device, and the buffers it asks for by name.
 
-use super::adapter::GpuDevice;
+use super::device::GpuDevice;
 use super::probe::KernelForm;
 use super::raw;
 use super::shader::{Access, Binding, CompiledKernel};
@@ -68,16 +68,16 @@ impl Kernel {
         for binding in &compiled.bindings {
             check_binding(binding).map_err(BackendError::Internal)?;
         }
-        Self::unchecked_bindings(gpu, compiled, form, checked)
+        gpu.watched(|| Ok(Self::unchecked_bindings(gpu, compiled, form, checked)))
     }
 
-    /// The kernel, whatever its bindings are called and hold.
+    /// The kernel, whatever its bindings are called and hold; the caller watches.
     pub(super) fn unchecked_bindings(
         gpu: &GpuDevice,
         compiled: &CompiledKernel,
         form: KernelForm,
         checked: bool,
-    ) -> Result<Self, BackendError> {
+    ) -> Self {
         let device = &gpu.device;
         let entries: Vec<_> = compiled.bindings.iter().map(layout_entry).collect();
         let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
@@ -104,12 +104,11 @@ impl Kernel {
             },
             cache: None,
         });
-        gpu.check()?;
-        Ok(Self {
+        Self {
             compiled: compiled.clone(),
             pipeline,
             layout,
-        })
+        }
     }
 }
 

@@ -1,8 +1,9 @@
 //! The declared buffers of a plan on a device, and the two pools in pages.
 
 use std::collections::HashMap;
+use std::iter;
 
-use super::adapter::GpuDevice;
+use super::device::GpuDevice;
 use crate::backend::{BackendError, available_bytes};
 use crate::layout::{Dispatch, Particle};
 use crate::plan::{BUFFERS, BufferRole, Count, Plan};
@@ -85,9 +86,6 @@ impl Memory {
         plan: &Plan,
         most_page_bytes: u64,
     ) -> Result<Self, BackendError> {
-        if gpu.description.kind == "software" {
-            check_available(plan)?;
-        }
         let limits = gpu.device.limits();
         let most_binding = limits
             .max_storage_buffer_binding_size
@@ -99,59 +97,48 @@ impl Memory {
                 plan.capacity, paging.page_len
             )));
         }
-        let mut bytes = 0;
-        let mut allocate = |name: &str, size: u64| -> Result<wgpu::Buffer, BackendError> {
-            if size > most_binding {
-                return Err(BackendError::Unsupported(format!(
-                    "`{name}` takes {size} bytes, and the adapter binds at most {most_binding}"
-                )));
-            }
-            // Digests look at whole vectors of four words.
-            let size = size.next_multiple_of(16).max(16);
-            bytes += size;
-            Ok(gpu.device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some(name),
-                size,
-                usage: usage_of(name),
-                mapped_at_creation: false,
-            }))
-        };
         let page_bytes = u64::from(paging.page_len) * PARTICLE_BYTES;
-        let mut pools = [Vec::new(), Vec::new()];
-        for pool in &mut pools {
-            for _ in 0..paging.page_count {
-                pool.push(allocate("particles", page_bytes)?);
-            }
-        }
-        let large = (0..paging.page_count)
-            .map(|_| allocate("large_particles", (u64::from(paging.page_len) + 2) * 4))
-            .collect::<Result<_, _>>()?;
-        let mut named = HashMap::new();
-        for declared in BUFFERS {
-            let in_pages = matches!(declared.count, Count::ParticlesOver(1));
-            if in_pages || declared.name == "large_particles" {
-                continue;
-            }
+        let pages = paging.page_count as usize;
+        let pooled = iter::repeat_n(("particles", page_bytes), 2 * pages);
+        let large_bytes = (u64::from(paging.page_len) + 2) * 4;
+        let large = iter::repeat_n(("large_particles", large_bytes), pages);
+        let single = BUFFERS.iter().filter(|declared| {
+            declared.name != "large_particles" && !matches!(declared.count, Count::ParticlesOver(1))
+        });
+        let named = single.map(|declared| {
             let records = declared
                 .records(plan)
                 .unwrap_or_else(|| paging.dispatches());
-            let size = u64::from(records) * u64::from(declared.stride);
-            named.insert(declared.name, allocate(declared.name, size)?);
+            (
+                declared.name,
+                u64::from(records) * u64::from(declared.stride),
+            )
+        });
+        // Digests look at whole vectors of four words.
+        let sizes: Vec<(&'static str, u64)> = pooled
+            .chain(large)
+            .chain(named)
+            .map(|(name, size)| (name, size.next_multiple_of(16).max(16)))
+            .collect();
+        if let Some((name, size)) = sizes.iter().find(|(_, size)| *size > most_binding) {
+            return Err(BackendError::Unsupported(format!(
+                "`{name}` takes {size} bytes, and the device binds at most {most_binding}"
+            )));
         }
+        let bytes = sizes.iter().map(|(_, size)| size).sum();
+        check_available(gpu, bytes)?;
+        let mut buffers = allocate(gpu, &sizes, bytes)?.into_iter();
+        let mut next = |count| buffers.by_ref().take(count).collect::<Vec<_>>();
         debug_assert_eq!(size_of::<Dispatch>(), 12);
-        gpu.check().map_err(|failure| match failure {
-            BackendError::OutOfMemory(_) => BackendError::OutOfMemory(format!(
-                "the run needs {} MiB on {}",
-                bytes >> 20,
-                gpu.description.name
-            )),
-            other => other,
-        })?;
         Ok(Self {
             paging,
-            pools,
-            large,
-            named,
+            pools: [next(pages), next(pages)],
+            large: next(pages),
+            named: sizes[3 * pages..]
+                .iter()
+                .map(|(name, _)| *name)
+                .zip(buffers)
+                .collect(),
             bytes,
         })
     }
@@ -183,14 +170,44 @@ impl Memory {
     }
 }
 
-/// A software adapter's memory is the system's.
-fn check_available(plan: &Plan) -> Result<(), BackendError> {
-    let needed = 2 * u64::from(plan.capacity) * PARTICLE_BYTES;
+/// The buffers of these names and sizes, which sum to `bytes`, zeroed.
+fn allocate(
+    gpu: &GpuDevice,
+    sizes: &[(&'static str, u64)],
+    bytes: u64,
+) -> Result<Vec<wgpu::Buffer>, BackendError> {
+    let allocated = gpu.watched(|| {
+        let buffer = |(name, size): &(&'static str, u64)| {
+            gpu.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some(name),
+                size: *size,
+                usage: usage_of(name),
+                mapped_at_creation: false,
+            })
+        };
+        Ok(sizes.iter().map(buffer).collect())
+    });
+    allocated.map_err(|failure| match failure {
+        BackendError::OutOfMemory(_) => BackendError::OutOfMemory(format!(
+            "the run needs {} MiB on {}",
+            bytes >> 20,
+            gpu.description.name
+        )),
+        other => other,
+    })
+}
+
+/// A software adapter's memory is the system's, which gives it only when it is written to, and ends
+/// the process when there is none.
+fn check_available(gpu: &GpuDevice, bytes: u64) -> Result<(), BackendError> {
+    if gpu.description.kind != "software" {
+        return Ok(());
+    }
     match available_bytes() {
-        Some(available) if needed > available => Err(BackendError::OutOfMemory(format!(
-            "two pools of {} particles take {} MiB, and {} MiB are available",
-            plan.capacity,
-            needed >> 20,
+        Some(available) if bytes > available => Err(BackendError::OutOfMemory(format!(
+            "the run needs {} MiB on {}, and {} MiB are available",
+            bytes >> 20,
+            gpu.description.name,
             available >> 20
         ))),
         _ => Ok(()),
@@ -202,6 +219,8 @@ fn usage_of(name: &str) -> wgpu::BufferUsages {
     let role = crate::plan::buffer(name).map(|declared| declared.role);
     let kind = match (name, role) {
         ("frame", _) => Usage::UNIFORM | Usage::COPY_DST,
+        // Vertices, for callers who draw particles themselves.
+        ("particles", _) => Usage::STORAGE | Usage::VERTEX | Usage::COPY_DST,
         ("dispatches", _) => Usage::STORAGE | Usage::INDIRECT | Usage::COPY_DST,
         (_, Some(BufferRole::Input)) => Usage::STORAGE | Usage::COPY_DST,
         _ => Usage::STORAGE | Usage::COPY_DST,

@@ -2,13 +2,19 @@
 //!
 //! [`shader`] turns WGSL into kernels, pure and without a device; `kernel` puts one on a device and
 //! finds its buffers by name; `memory` holds the buffers; `commands` expands the plan's stages into
-//! dispatches and `run` submits them; `readback` brings statistics and state home. All `unsafe` is in `raw`.
+//! dispatches and `run` submits them; `readback` brings statistics and state home. `device` is a
+//! device of our own or a caller's, `needs` what a caller's must have, and `watch` catches what goes
+//! wrong on either. All `unsafe` is in `raw`.
 
 mod adapter;
 mod commands;
+mod device;
 pub mod dispatch;
 mod kernel;
 mod memory;
+mod needs;
+mod options;
+mod picture;
 mod probe;
 mod raw;
 mod readback;
@@ -17,6 +23,7 @@ mod restore;
 mod run;
 pub mod shader;
 mod timing;
+mod watch;
 mod yardstick;
 
 use std::collections::{HashMap, VecDeque};
@@ -27,48 +34,19 @@ use crate::plan::{FrameInputs, Plan, STAGES, Stage};
 use commands::Command;
 use kernel::Kernel;
 use memory::Memory;
+use options::switches_off;
 use readback::StatisticsRing;
 use timing::Timer;
 
-pub use adapter::{AdapterDescription, GpuDevice, adapters, open};
+pub use adapter::{AdapterDescription, adapters, open};
 pub use commands::{KernelUse, STAGE_KERNELS};
+pub use device::GpuDevice;
 pub use kernel::check_binding;
+pub use needs::{UnfitDevice, device_descriptor, required_features, required_limits};
+pub use options::{GpuOptions, Mutation};
+pub use picture::{ParticleBuffers, TextureError};
 pub use probe::KernelForm;
 pub use timing::KernelTimes;
-
-/// A change that a test makes to one kernel's module.
-pub struct Mutation<'a> {
-    /// The kernel, e.g. `particles/advance`.
-    pub kernel: &'a str,
-    /// The change, after the lint.
-    pub change: &'a dyn Fn(&mut naga::Module),
-}
-
-/// How to run on a device. None of these but `plain` changes a bit of the result.
-#[derive(Default)]
-pub struct GpuOptions<'a> {
-    /// Invocations a workgroup, 8 ..= 256, a multiple of 8; 0 for the default of 256.
-    pub workgroup_size: u32,
-    /// Most bytes a page of the pools; 0 for as much as the adapter binds.
-    pub page_bytes: u64,
-    /// Whether kernels check their own indices and bound their loops.
-    pub checked: bool,
-    /// Whether the adapter gets plain WGSL though it would take SPIR-V: what adapters that take
-    /// none get. This alone may change bits.
-    pub plain: bool,
-    /// Whether kernels are timed, each in a pass of its own.
-    pub timed: bool,
-    /// A defect put in on purpose.
-    pub mutation: Option<Mutation<'a>>,
-}
-
-/// Switches of what the plan does not use.
-fn switches_off(plan: &Plan) -> Vec<&'static str> {
-    let switches = plan.uses.switches().into_iter();
-    switches
-        .filter_map(|(switch, used)| (!used).then_some(switch))
-        .collect()
-}
 
 /// The state of a run on a device.
 pub struct GpuBackend {
@@ -82,7 +60,8 @@ pub struct GpuBackend {
     system_count: u32,
     row_count: u32,
     curve_points: Vec<[f32; 4]>,
-    pixels: u32,
+    width: u32,
+    height: u32,
     /// Which pool holds the particles.
     current: usize,
     /// Whether newborns stand behind the living: between emit and advance.
@@ -90,6 +69,8 @@ pub struct GpuBackend {
     ring: StatisticsRing,
     in_flight: VecDeque<wgpu::SubmissionIndex>,
     timer: Option<Timer>,
+    /// Why its state cannot be trusted any more.
+    failure: Option<BackendError>,
 }
 
 impl GpuBackend {
@@ -98,6 +79,31 @@ impl GpuBackend {
     /// # Errors
     /// The plan does not fit the adapter, memory runs out, or the driver refuses a kernel.
     pub fn new(gpu: &GpuDevice, plan: &Plan, options: &GpuOptions) -> Result<Self, BackendError> {
+        gpu.watched(|| Self::build(gpu, plan, options, None))
+    }
+
+    /// As [`GpuBackend::new`], with a defect put in on purpose.
+    ///
+    /// # Errors
+    /// As [`GpuBackend::new`].
+    pub fn mutated(
+        gpu: &GpuDevice,
+        plan: &Plan,
+        options: &GpuOptions,
+        mutation: Mutation,
+    ) -> Result<Self, BackendError> {
+        gpu.watched(|| Self::build(gpu, plan, options, Some(mutation)))
+    }
+
+    fn build(
+        gpu: &GpuDevice,
+        plan: &Plan,
+        options: &GpuOptions,
+        mutation: Option<Mutation>,
+    ) -> Result<Self, BackendError> {
+        if let Some(lost) = gpu.loss() {
+            return Err(lost);
+        }
         let workgroup_size = if options.workgroup_size == 0 {
             256
         } else {
@@ -123,9 +129,7 @@ impl GpuBackend {
             KernelForm::Wgsl
         };
         for source in shader::sources::KERNELS {
-            let mutate = options
-                .mutation
-                .as_ref()
+            let mutate = mutation
                 .filter(|mutation| mutation.kernel == source.name)
                 .map(|mutation| mutation.change);
             let compiled = shader::compile(
@@ -153,12 +157,14 @@ impl GpuBackend {
             system_count: plan.system_count,
             row_count: plan.row_count,
             curve_points: plan.curve_points.clone(),
-            pixels: plan.width * plan.height,
+            width: plan.width,
+            height: plan.height,
             current: 0,
             newborns_present: false,
             ring: StatisticsRing::default(),
             in_flight: VecDeque::new(),
             timer: None,
+            failure: None,
         };
         for current in [0, 1] {
             for info in STAGES {
@@ -169,8 +175,36 @@ impl GpuBackend {
         if options.timed {
             backend.timer = Timer::new(gpu);
         }
-        backend.gpu.check()?;
         Ok(backend)
+    }
+
+    /// Does work that leaves the state as it is, and says what of it went wrong.
+    fn watched<T>(
+        &mut self,
+        work: impl FnOnce(&mut Self) -> Result<T, BackendError>,
+    ) -> Result<T, BackendError> {
+        if let Some(failure) = &self.failure {
+            return Err(failure.clone());
+        }
+        let gpu = self.gpu.clone();
+        let done = gpu.watched(|| work(self));
+        if let Err(lost @ BackendError::DeviceLost(_)) = &done {
+            self.failure = Some(lost.clone());
+        }
+        done
+    }
+
+    /// Does work that changes the state. When it fails, nobody knows how far it came: the run is
+    /// over, and says why whenever it is asked for anything.
+    fn stepped<T>(
+        &mut self,
+        work: impl FnOnce(&mut Self) -> Result<T, BackendError>,
+    ) -> Result<T, BackendError> {
+        let done = self.watched(work);
+        if let Err(failure) = &done {
+            self.failure = Some(failure.clone());
+        }
+        done
     }
 
     /// Bytes allocated on the device.
@@ -183,10 +217,10 @@ impl GpuBackend {
     /// # Errors
     /// The device fails.
     pub fn take_times(&mut self) -> Result<Vec<KernelTimes>, BackendError> {
-        match &mut self.timer {
-            Some(timer) => timer.take(&self.gpu),
+        self.watched(|run| match &mut run.timer {
+            Some(timer) => timer.take(&run.gpu),
             None => Ok(Vec::new()),
-        }
+        })
     }
 }
 
@@ -200,56 +234,31 @@ impl Backend for GpuBackend {
     }
 
     fn run_stage(&mut self, stage: Stage, inputs: &FrameInputs) -> Result<(), BackendError> {
-        self.submit(&[stage], inputs)?;
-        self.gpu.wait()
+        self.stepped(|run| {
+            run.submit(&[stage], inputs)?;
+            run.gpu.wait()
+        })
     }
 
     fn step(&mut self, inputs: &FrameInputs) -> Result<(), BackendError> {
-        self.submit(
-            &[Stage::Births, Stage::Emit, Stage::Cull, Stage::Advance],
-            inputs,
-        )
+        let stages = [Stage::Births, Stage::Emit, Stage::Cull, Stage::Advance];
+        self.stepped(|run| run.submit(&stages, inputs))
     }
 
     fn draw(&mut self, inputs: &FrameInputs) -> Result<(), BackendError> {
-        self.submit(&[Stage::Splat, Stage::Resolve], inputs)
+        self.watched(|run| run.submit(&[Stage::Splat, Stage::Resolve], inputs))
     }
 
     fn read(&mut self, buffer: &str) -> Result<Vec<u32>, BackendError> {
-        let counts = self.counts()?;
-        if buffer == "particles" {
-            let mut left = u64::from(if self.newborns_present {
-                counts.total
-            } else {
-                counts.live
-            }) * 32;
-            let mut words = Vec::new();
-            for page in &self.memory.pools[self.current] {
-                let here = left.min(page.size());
-                words.extend(readback::words(&self.gpu, page, here)?);
-                left -= here;
-            }
-            return Ok(words);
-        }
-        let whole = self.memory.named(buffer)?;
-        let records = match buffer {
-            "alive_bits" => u64::from(counts.total.div_ceil(32)),
-            "birth_counts" => u64::from(self.system_count),
-            "birth_offsets" => u64::from(self.system_count) + 1,
-            "deaths" => 2,
-            "image" => u64::from(self.pixels),
-            "light_low" | "light_high" => u64::from(self.pixels) * 3,
-            _ => whole.size() / 4,
-        };
-        readback::words(&self.gpu, whole, records * 4)
+        self.watched(|run| run.read_buffer(buffer))
     }
 
     fn take_statistics(&mut self) -> Result<Vec<FrameStats>, BackendError> {
-        self.ring.take(&self.gpu, &self.memory)
+        self.watched(|run| run.ring.take(&run.gpu, &run.memory))
     }
 
     fn restore(&mut self, particles: &[u32], recent: &[FrameInputs]) -> Result<(), BackendError> {
-        self.put(particles, recent)
+        self.stepped(|run| run.put(particles, recent))
     }
 
     fn record_stage(
@@ -257,16 +266,20 @@ impl Backend for GpuBackend {
         stage: Stage,
         inputs: &FrameInputs,
     ) -> Result<Option<StageRecord>, BackendError> {
-        self.record(stage, inputs).map(Some)
+        self.watched(|run| run.record(stage, inputs).map(Some))
     }
 
     fn state_digest(&mut self) -> Result<u64, BackendError> {
-        let commands = self.particle_digest(self.current)?;
-        self.digest_of(&commands, 0)
+        self.watched(|run| {
+            let commands = run.particle_digest(run.current)?;
+            run.digest_of(&commands, 0)
+        })
     }
 
     fn image_digest(&mut self) -> Result<u64, BackendError> {
-        let commands = self.image_digest_commands()?;
-        self.digest_of(&commands, 0)
+        self.watched(|run| {
+            let commands = run.image_digest_commands()?;
+            run.digest_of(&commands, 0)
+        })
     }
 }

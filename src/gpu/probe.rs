@@ -2,8 +2,8 @@
 //! a run, with a look at the buffers between one and the next.
 
 use super::GpuBackend;
-use super::adapter::GpuDevice;
 use super::commands::STAGE_KERNELS;
+use super::device::GpuDevice;
 use super::dispatch::dispatch_for;
 use super::kernel::Kernel;
 use super::readback;
@@ -21,6 +21,10 @@ pub enum KernelForm {
     Wgsl,
 }
 
+fn is_output(access: Access) -> bool {
+    access == Access::ReadWrite
+}
+
 impl GpuDevice {
     /// Runs `kernel` once and returns what it left in its one read-write buffer, which starts
     /// zeroed and holds `output_words`. Its other bindings get `inputs`, in order. At least
@@ -36,7 +40,6 @@ impl GpuDevice {
         output_words: usize,
         invocations: u32,
     ) -> Result<Vec<u32>, BackendError> {
-        let is_output = |access| access == Access::ReadWrite;
         let outputs = kernel
             .bindings
             .iter()
@@ -52,7 +55,19 @@ impl GpuDevice {
                 inputs.len()
             )));
         }
-        let compiled = Kernel::unchecked_bindings(self, kernel, form, true)?;
+        self.watched(|| self.run_once(kernel, form, inputs, output_words, invocations))
+    }
+
+    /// As [`GpuDevice::run_kernel`], of a kernel whose bindings fit.
+    fn run_once(
+        &self,
+        kernel: &CompiledKernel,
+        form: KernelForm,
+        inputs: &[&[u32]],
+        output_words: usize,
+        invocations: u32,
+    ) -> Result<Vec<u32>, BackendError> {
+        let compiled = Kernel::unchecked_bindings(self, kernel, form, true);
         let zeros = vec![0; output_words];
         let mut inputs = inputs.iter();
         let mut output = None;
@@ -129,8 +144,10 @@ impl GpuBackend {
                 "no stage has a kernel `{kernel}`"
             )));
         };
-        self.submit_kernels(&[found.stage], |other| other == kernel, inputs)?;
-        self.gpu.wait()
+        self.stepped(|run| {
+            run.submit_kernels(&[found.stage], |other| other == kernel, inputs)?;
+            run.gpu.wait()
+        })
     }
 
     /// The plan's run from its beginning, with every buffer zero, and with `changed`, which must
@@ -152,15 +169,18 @@ impl GpuBackend {
                 return Err(BackendError::Unsupported(found));
             }
         }
-        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
-        for buffer in self.memory.all() {
-            encoder.clear_buffer(buffer, 0, None);
-        }
-        self.gpu.queue.submit([encoder.finish()]);
-        self.current = 0;
-        self.newborns_present = false;
-        self.ring = StatisticsRing::default();
-        self.in_flight.clear();
-        self.gpu.wait()
+        self.failure = None;
+        self.stepped(|run| {
+            let mut encoder = run.gpu.device.create_command_encoder(&Default::default());
+            for buffer in run.memory.all() {
+                encoder.clear_buffer(buffer, 0, None);
+            }
+            run.gpu.queue.submit([encoder.finish()]);
+            run.current = 0;
+            run.newborns_present = false;
+            run.ring = StatisticsRing::default();
+            run.in_flight.clear();
+            run.gpu.wait()
+        })
     }
 }

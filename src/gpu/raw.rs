@@ -47,9 +47,3 @@ pub(super) fn wgsl_module(
     // bound their own indices and loops.
     unsafe { device.create_shader_module_trusted(descriptor, checks) }
 }
-
-/// Leave to use features that wgpu calls experimental, raw shader modules among them.
-pub(super) fn experimental_features() -> wgpu::ExperimentalFeatures {
-    // SAFETY: the only such feature that is asked for is that of raw modules, used above.
-    unsafe { wgpu::ExperimentalFeatures::enabled() }
-}

@@ -3,7 +3,8 @@
 use std::sync::mpsc;
 use std::time::Duration;
 
-use super::adapter::GpuDevice;
+use super::GpuBackend;
+use super::device::GpuDevice;
 use super::memory::Memory;
 use crate::backend::BackendError;
 use crate::layout::FrameStats;
@@ -36,6 +37,39 @@ pub(super) fn words(
     let mapped = Mapping::begin(staging);
     gpu.wait()?;
     mapped.words()
+}
+
+impl GpuBackend {
+    /// The live records of a state buffer, as words.
+    pub(super) fn read_buffer(&self, buffer: &str) -> Result<Vec<u32>, BackendError> {
+        let counts = self.counts()?;
+        if buffer == "particles" {
+            let mut left = u64::from(if self.newborns_present {
+                counts.total
+            } else {
+                counts.live
+            }) * 32;
+            let mut present = Vec::new();
+            for page in &self.memory.pools[self.current] {
+                let here = left.min(page.size());
+                present.extend(words(&self.gpu, page, here)?);
+                left -= here;
+            }
+            return Ok(present);
+        }
+        let whole = self.memory.named(buffer)?;
+        let pixels = u64::from(self.width) * u64::from(self.height);
+        let records = match buffer {
+            "alive_bits" => u64::from(counts.total.div_ceil(32)),
+            "birth_counts" => u64::from(self.system_count),
+            "birth_offsets" => u64::from(self.system_count) + 1,
+            "deaths" => 2,
+            "image" => pixels,
+            "light_low" | "light_high" => pixels * 3,
+            _ => whole.size() / 4,
+        };
+        words(&self.gpu, whole, records * 4)
+    }
 }
 
 fn staging(gpu: &GpuDevice, bytes: u64) -> wgpu::Buffer {

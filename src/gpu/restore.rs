@@ -23,9 +23,8 @@ impl GpuBackend {
         let page_words = self.memory.paging.page_len as usize * PARTICLE_WORDS;
         let pages = &self.memory.pools[self.current];
         for (page, words) in pages.iter().zip(particles.chunks(page_words)) {
-            let queue = &self.gpu.queue;
-            queue.write_buffer(page, 0, bytemuck::cast_slice(words));
-            queue.submit([]);
+            self.gpu.write(page, 0, bytemuck::cast_slice(words))?;
+            self.gpu.queue.submit([]);
         }
         let live = (particles.len() / PARTICLE_WORDS) as u32;
         let counts = Counts {
@@ -34,9 +33,8 @@ impl GpuBackend {
             ..Counts::default()
         };
         let buffer = self.memory.named("counts")?;
-        let queue = &self.gpu.queue;
-        queue.write_buffer(buffer, 0, bytemuck::bytes_of(&counts));
-        queue.submit([]);
+        self.gpu.write(buffer, 0, bytemuck::bytes_of(&counts))?;
+        self.gpu.queue.submit([]);
         self.newborns_present = false;
         self.ring = StatisticsRing::default();
         self.gpu.wait()

@@ -12,36 +12,26 @@ const FRAMES_IN_FLIGHT: usize = 3;
 
 impl GpuBackend {
     pub(super) fn upload(&self, inputs: &FrameInputs) -> Result<(), BackendError> {
-        let queue = &self.gpu.queue;
         let frame = Frame {
             page_len: self.memory.paging.page_len,
             page_count: self.memory.paging.page_count,
             ..inputs.frame
         };
-        queue.write_buffer(self.memory.named("frame")?, 0, bytemuck::bytes_of(&frame));
-        queue.write_buffer(
-            self.memory.named("system_frames")?,
-            0,
-            bytemuck::cast_slice(&inputs.systems),
-        );
         for (name, bytes) in [
+            ("frame", bytemuck::bytes_of(&frame)),
+            ("system_frames", bytemuck::cast_slice(&inputs.systems)),
             ("curve_points", bytemuck::cast_slice(&self.curve_points)),
             ("bounds", bytemuck::cast_slice(&inputs.bounds)),
             ("winds", bytemuck::cast_slice(&inputs.winds)),
             ("layer_planes", bytemuck::cast_slice(&inputs.layer_planes)),
         ] {
-            if !bytes.is_empty() {
-                queue.write_buffer(self.memory.named(name)?, 0, bytes);
-            }
+            self.gpu.write(self.memory.named(name)?, 0, bytes)?;
         }
         let rows = self.memory.named("rows")?;
         for (slot, row) in inputs.rows.iter().enumerate() {
             let at = slot as u32 * self.row_count + frame.frame % self.row_count;
-            queue.write_buffer(
-                rows,
-                u64::from(at) * size_of_val(row) as u64,
-                bytemuck::bytes_of(row),
-            );
+            let offset = u64::from(at) * size_of_val(row) as u64;
+            self.gpu.write(rows, offset, bytemuck::bytes_of(row))?;
         }
         Ok(())
     }
@@ -110,15 +100,9 @@ impl GpuBackend {
         self.in_flight.push_back(submission);
         if self.in_flight.len() > FRAMES_IN_FLIGHT {
             let oldest = self.in_flight.pop_front();
-            self.gpu
-                .device
-                .poll(wgpu::PollType::Wait {
-                    submission_index: oldest,
-                    timeout: None,
-                })
-                .map_err(|e| BackendError::DeviceLost(e.to_string()))?;
+            self.gpu.wait_for(oldest)?;
         }
-        self.gpu.check()
+        Ok(())
     }
 
     pub(super) fn counts(&self) -> Result<Counts, BackendError> {

@@ -1,6 +1,6 @@
 //! How long each kernel takes, by the device's own clock.
 
-use super::adapter::GpuDevice;
+use super::device::GpuDevice;
 use super::readback;
 use crate::backend::BackendError;
 

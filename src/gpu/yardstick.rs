@@ -1,6 +1,6 @@
 //! What an adapter's memory can do at best: the measure that stages are held against.
 
-use super::adapter::GpuDevice;
+use super::device::GpuDevice;
 use super::dispatch::dispatch_for;
 use super::kernel::Kernel;
 use super::probe::KernelForm;
@@ -23,6 +23,16 @@ impl GpuDevice {
         workgroup_size: u32,
         repeats: u32,
     ) -> Result<Vec<f64>, BackendError> {
+        self.watched(|| self.measured(yardstick, records, workgroup_size, repeats))
+    }
+
+    fn measured(
+        &self,
+        yardstick: &'static str,
+        records: u32,
+        workgroup_size: u32,
+        repeats: u32,
+    ) -> Result<Vec<f64>, BackendError> {
         let Some(mut timer) = Timer::new(self) else {
             return Ok(Vec::new());
         };
@@ -39,7 +49,7 @@ impl GpuDevice {
         } else {
             KernelForm::Wgsl
         };
-        let kernel = Kernel::unchecked_bindings(self, &compiled, form, false)?;
+        let kernel = Kernel::unchecked_bindings(self, &compiled, form, false);
         let buffers = ["source", "destination"].map(|label| {
             self.device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some(label),

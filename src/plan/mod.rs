@@ -11,6 +11,7 @@ mod curves;
 mod inputs;
 mod stages;
 mod system;
+mod turned;
 mod uses;
 mod wind;
 

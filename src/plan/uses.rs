@@ -17,6 +17,11 @@ macro_rules! uses {
                 vec![$(($switch, self.$field)),*]
             }
 
+            /// All of them.
+            pub(super) fn all() -> Self {
+                Self { $($field: true),* }
+            }
+
             /// What either has.
             #[must_use]
             pub(super) fn and(self, other: Self) -> Self {

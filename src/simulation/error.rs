@@ -2,10 +2,12 @@
 
 use super::SnapshotError;
 use crate::backend::BackendError;
+use crate::gpu::TextureError;
 use crate::plan::PlanError;
 
 /// Why a simulation could not begin or go on.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum SimulationError {
     /// The scene asks for what cannot be planned.
     Plan(PlanError),
@@ -16,6 +18,8 @@ pub enum SimulationError {
         /// What there is.
         available: Vec<String>,
     },
+    /// A texture cannot take the picture.
+    Texture(TextureError),
     /// The machine failed.
     Backend(BackendError),
     /// A snapshot cannot be gone on from.
@@ -33,6 +37,7 @@ impl std::fmt::Display for SimulationError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Plan(e) => e.fmt(f),
+            Self::Texture(e) => e.fmt(f),
             Self::Backend(e) => e.fmt(f),
             Self::Snapshot(e) => write!(f, "error: {e}\n  = help: begin without it"),
             Self::NoAdapter { wanted, available } => write!(
@@ -55,5 +60,11 @@ impl From<BackendError> for SimulationError {
 impl From<PlanError> for SimulationError {
     fn from(error: PlanError) -> Self {
         Self::Plan(error)
+    }
+}
+
+impl From<TextureError> for SimulationError {
+    fn from(error: TextureError) -> Self {
+        Self::Texture(error)
     }
 }

@@ -1,7 +1,7 @@
 //! Where a defect of each kernel is found.
 
 use motes::check::{CompareOptions, Place, compare};
-use motes::gpu::{GpuOptions, Mutation};
+use motes::gpu::{GpuBackend, GpuOptions, Mutation};
 use naga::{BinaryOperator, Expression, Literal, Module};
 
 use crate::{common, compare_with_mutant, plan_of_everything, subtract_last, swap};
@@ -220,12 +220,12 @@ fn a_difference_that_happens_once_is_still_told() {
                 kernel: "particles/advance",
                 change: &subtract_last,
             };
-            let mutation = (starts == 1).then_some(mutation);
-            let options = GpuOptions {
-                mutation,
-                ..GpuOptions::default()
-            };
-            Ok(Box::new(common::on_gpu(&device, &plan, &options)))
+            let options = GpuOptions::default();
+            Ok(Box::new(if starts == 1 {
+                GpuBackend::mutated(&device, &plan, &options, mutation)?
+            } else {
+                common::on_gpu(&device, &plan, &options)
+            }))
         },
         &CompareOptions {
             frames: 3,

@@ -9,7 +9,7 @@ mod saved;
 mod sizes;
 
 use motes::check::{CompareOptions, Outcome, compare};
-use motes::gpu::{GpuOptions, Mutation};
+use motes::gpu::{GpuBackend, GpuOptions, Mutation};
 use motes::plan::Plan;
 use naga::{BinaryOperator, Expression, Module};
 
@@ -65,12 +65,9 @@ fn compare_with_mutant(
         plan,
         &mut || Ok(Box::new(common::on_cpu(plan))),
         &mut || {
-            let mutation = Some(Mutation { kernel, change });
-            let options = GpuOptions {
-                mutation,
-                ..GpuOptions::default()
-            };
-            Ok(Box::new(common::on_gpu(&device, plan, &options)))
+            let mutation = Mutation { kernel, change };
+            let mutant = GpuBackend::mutated(&device, plan, &GpuOptions::default(), mutation)?;
+            Ok(Box::new(mutant))
         },
         &CompareOptions {
             frames,

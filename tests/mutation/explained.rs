@@ -80,6 +80,8 @@ static EXPLAINED: &[Explanation] = &[
     ("draw/splat", "splat: if (shape.16 <= FEW_CELLS) -> if !", "decides only who draws: one invocation or many, the same light"),
     ("draw/splat", "splat: shape.16 -> member kind", "decides only who draws: one invocation or many, the same light"),
     ("draw/splat", "splat: major = shape.13 -> omitted", "begins at the picture's edge instead: before the reach, weights are 0"),
+    ("draw/splat", "layer_of: (at < frame.layer_plane_count) -> LessEqual", "a plane that is not there is zeros, behind which nothing is"),
+    ("draw/splat", "draw_small_disc: Bool(false) -> Bool(true)", "of the first condition: a weight of 0 adds no light"),
     ("draw/splat", "layer_of: frame.layer_plane_count -> member layer", "planes after that of the layer drawn do not decide what is in it"),
     ("draw/splat", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: more than a page"),
     ("draw/splat_large", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: 32,768 large particles"),

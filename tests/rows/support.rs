@@ -1,8 +1,7 @@
 //! Scenes in a few lines, runs on every backend, and pictures as sums of light.
 
-use std::cell::RefCell;
 use std::collections::BTreeMap;
-use std::rc::Rc;
+use std::sync::{Arc, Mutex};
 
 use motes::backend::{Backend, BackendError};
 use motes::cpu::particle::{Appearance, Identity, appearance_of, identity_of, row_index};
@@ -97,53 +96,59 @@ struct Held {
 }
 
 #[derive(Clone)]
-struct Shared(Rc<RefCell<Held>>);
+struct Shared(Arc<Mutex<Held>>);
+
+impl Shared {
+    fn held(&self) -> std::sync::MutexGuard<'_, Held> {
+        self.0.lock().expect("no other test has it")
+    }
+}
 
 impl Backend for Shared {
     fn adapter_name(&self) -> String {
-        self.0.borrow().backend.adapter_name()
+        self.held().backend.adapter_name()
     }
 
     fn is_exact(&self) -> bool {
-        self.0.borrow().backend.is_exact()
+        self.held().backend.is_exact()
     }
 
     fn run_stage(&mut self, stage: Stage, inputs: &FrameInputs) -> Result<(), BackendError> {
-        let mut held = self.0.borrow_mut();
+        let mut held = self.held();
         held.calls.push((inputs.frame.frame, stage.info().name));
         held.backend.run_stage(stage, inputs)
     }
 
     fn step(&mut self, inputs: &FrameInputs) -> Result<(), BackendError> {
-        let mut held = self.0.borrow_mut();
+        let mut held = self.held();
         held.calls.push((inputs.frame.frame, "step"));
         held.backend.step(inputs)
     }
 
     fn draw(&mut self, inputs: &FrameInputs) -> Result<(), BackendError> {
-        let mut held = self.0.borrow_mut();
+        let mut held = self.held();
         held.calls.push((inputs.frame.frame, "draw"));
         held.backend.draw(inputs)
     }
 
     fn restore(&mut self, particles: &[u32], recent: &[FrameInputs]) -> Result<(), BackendError> {
-        self.0.borrow_mut().backend.restore(particles, recent)
+        self.held().backend.restore(particles, recent)
     }
 
     fn read(&mut self, buffer: &str) -> Result<Vec<u32>, BackendError> {
-        self.0.borrow_mut().backend.read(buffer)
+        self.held().backend.read(buffer)
     }
 
     fn take_statistics(&mut self) -> Result<Vec<FrameStats>, BackendError> {
-        self.0.borrow_mut().backend.take_statistics()
+        self.held().backend.take_statistics()
     }
 
     fn state_digest(&mut self) -> Result<u64, BackendError> {
-        self.0.borrow_mut().backend.state_digest()
+        self.held().backend.state_digest()
     }
 
     fn image_digest(&mut self) -> Result<u64, BackendError> {
-        self.0.borrow_mut().backend.image_digest()
+        self.held().backend.image_digest()
     }
 }
 
@@ -182,7 +187,7 @@ impl Run {
                 &GpuOptions::default(),
             )),
         };
-        let backend = Shared(Rc::new(RefCell::new(Held {
+        let backend = Shared(Arc::new(Mutex::new(Held {
             backend,
             calls: Vec::new(),
         })));
@@ -268,7 +273,7 @@ impl Run {
 
     /// What the simulation asked its backend for since the last call.
     pub(crate) fn take_calls(&mut self) -> Vec<Call> {
-        std::mem::take(&mut self.backend.0.borrow_mut().calls)
+        std::mem::take(&mut self.backend.held().calls)
     }
 }
 

@@ -53,6 +53,7 @@ impl Side {
             AdapterChoice::Cpu => return Ok(Self::Cpu),
             AdapterChoice::Auto => String::new(),
             AdapterChoice::Named(name) => name,
+            AdapterChoice::Device(device) => return Ok(Self::Gpu(device)),
         };
         match gpu::open(&name)? {
             Some(device) => Ok(Self::Gpu(device)),

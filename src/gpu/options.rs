@@ -1,0 +1,36 @@
+//! How a plan is run on a device, and what of the kernels it leaves out.
+
+use crate::plan::Plan;
+
+/// A change that a test makes to one kernel's module.
+#[derive(Clone, Copy)]
+pub struct Mutation<'a> {
+    /// The kernel, e.g. `particles/advance`.
+    pub kernel: &'a str,
+    /// The change, after the lint.
+    pub change: &'a dyn Fn(&mut naga::Module),
+}
+
+/// How to run on a device. None of these but `plain` changes a bit of the result.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct GpuOptions {
+    /// Invocations a workgroup, 8 ..= 256, a multiple of 8; 0 for the default of 256.
+    pub workgroup_size: u32,
+    /// Most bytes a page of the pools; 0 for as much as the adapter binds.
+    pub page_bytes: u64,
+    /// Whether kernels check their own indices and bound their loops.
+    pub checked: bool,
+    /// Whether the adapter gets plain WGSL though it would take SPIR-V: what adapters that take
+    /// none get. This alone may change bits.
+    pub plain: bool,
+    /// Whether kernels are timed, each in a pass of its own.
+    pub timed: bool,
+}
+
+/// Switches of what the plan does not use.
+pub(super) fn switches_off(plan: &Plan) -> Vec<&'static str> {
+    let switches = plan.uses.switches().into_iter();
+    switches
+        .filter_map(|(switch, used)| (!used).then_some(switch))
+        .collect()
+}

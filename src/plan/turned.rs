@@ -1,0 +1,81 @@
+//! Turns that come while a plan is under way.
+
+use super::{Plan, PlanError, Turn, Uses};
+use crate::scene::Scene;
+
+/// Least parameter rows a system of a plan that may be turned.
+const LEAST_ROWS: u32 = 256;
+
+/// Most parameter rows a system: birth frames are told apart modulo this.
+const MOST_ROWS: u32 = 1 << 16;
+
+impl Plan {
+    /// Makes room for turns that are not known yet, up to twice the lifetimes that are. To be done
+    /// before a backend begins with it; changes no bit of the result.
+    pub fn make_editable(&mut self) {
+        self.uses = Uses::all();
+        let rows = (self.lifetime_bound.saturating_add(1)).saturating_mul(2);
+        let rows = rows.clamp(LEAST_ROWS, MOST_ROWS).next_power_of_two();
+        self.row_count = self.row_count.max(rows);
+    }
+
+    /// This plan with one more turn, for a backend that is under way with it.
+    ///
+    /// # Errors
+    /// As [`Plan::with_turns`]; also when the backend has no room for the turn.
+    pub fn turned(&self, turn: Turn, frame_end: u32) -> Result<Self, PlanError> {
+        let Some(((_, scene), later)) = self.variants.split_first() else {
+            return Ok(self.clone());
+        };
+        let mut turns: Vec<Turn> = later
+            .iter()
+            .map(|(frame, scene): &(i32, Scene)| Turn {
+                frame: frame.cast_unsigned(),
+                scene: scene.clone(),
+            })
+            .filter(|known| known.frame != turn.frame)
+            .collect();
+        let frame = turn.frame;
+        turns.push(turn);
+        let mut plan = Self::with_turns(scene, &turns, frame_end)?;
+        self.check_room(&plan, frame)?;
+        plan.capacity = self.capacity;
+        plan.row_count = self.row_count;
+        plan.uses = self.uses;
+        plan.first_frame = self.first_frame;
+        Ok(plan)
+    }
+
+    /// Whether a backend that began with this plan has all that `plan` needs.
+    fn check_room(&self, plan: &Self, frame: u32) -> Result<(), PlanError> {
+        let refuse = |message: String, help: &str| {
+            Err(PlanError {
+                message: format!("the change at frame {frame} {message}"),
+                help: help.to_owned(),
+            })
+        };
+        let begin_anew = "begin a new run with it, among the turns that are known";
+        if plan.capacity > self.capacity {
+            return refuse(
+                format!(
+                    "may keep {} particles alive, and the run has room for {}",
+                    plan.capacity, self.capacity
+                ),
+                "give the scene a `capacity` that covers what it may be turned to",
+            );
+        }
+        if self.uses.and(plan.uses) != self.uses || plan.row_count > self.row_count {
+            return refuse(
+                "uses what the run was begun without".into(),
+                "begin the run as one that may be edited; lifetimes may then grow twofold",
+            );
+        }
+        if plan.curve_points != self.curve_points {
+            return refuse(
+                "names a curve, to be born on, that the run has not".into(),
+                begin_anew,
+            );
+        }
+        Ok(())
+    }
+}

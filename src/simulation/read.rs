@@ -1,0 +1,120 @@
+//! What comes back from a simulation: particles, statistics, digests.
+
+use super::lines::line_of;
+use super::{Line, Simulation, SimulationError};
+use crate::cpu::particle::{STREAM_PLACE, draw, identity_of, lifetime_of, row_index};
+use crate::cpu::projection::world_of;
+use crate::exact::dot3;
+use crate::layout::{FrameStats, Particle, SYSTEM_PARABOLIC, SystemRow};
+use crate::plan::FrameInputs;
+
+/// A live particle, for people: world space, units a frame, frames.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ParticleState {
+    /// World position.
+    pub position: [f32; 3],
+    /// World velocity, units a frame.
+    pub velocity: [f32; 3],
+    /// Frames since birth.
+    pub age: u32,
+    /// Frames it has been given in all.
+    pub lifetime: u32,
+    /// Index of its system in the scene.
+    pub system: u32,
+    /// A hash of who it is: the same in every run of the scene and seed.
+    pub id: u32,
+}
+
+impl Simulation {
+    /// The living, in storage order: by birth frame, system and index.
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn particles(&mut self) -> Result<Vec<ParticleState>, SimulationError> {
+        let mut states = Vec::new();
+        self.for_each_particle(|particle, inputs, rows| {
+            states.push(state_of(particle, inputs, rows));
+        })?;
+        Ok(states)
+    }
+
+    /// Hands over the living, in storage order, each with the parameter rows of its birth frame.
+    fn for_each_particle(
+        &mut self,
+        mut take: impl FnMut(&Particle, &FrameInputs, &[SystemRow]),
+    ) -> Result<(), SimulationError> {
+        let Some(inputs) = &self.inputs else {
+            return Ok(());
+        };
+        let words = self.backend.read("particles")?;
+        let particles: Vec<Particle> = bytemuck::pod_collect_to_vec(&words);
+        let mut rows: Vec<SystemRow> = Vec::new();
+        let mut rows_frame = None;
+        for particle in &particles {
+            let (who, _) = identity_of(particle, inputs);
+            if rows_frame != Some(who.birth_frame) {
+                rows = self.plan.inputs(who.birth_frame).rows;
+                rows_frame = Some(who.birth_frame);
+            }
+            take(particle, inputs, &rows);
+        }
+        Ok(())
+    }
+
+    /// The living as line segments, in storage order; without those that reach nearer than the
+    /// camera sees (Reeves 1983, 4.2).
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn lines(&mut self) -> Result<Vec<Line>, SimulationError> {
+        let mut lines = Vec::new();
+        self.for_each_particle(|particle, inputs, rows| {
+            lines.extend(line_of(particle, inputs, rows));
+        })?;
+        Ok(lines)
+    }
+
+    /// Statistics of all frames stepped since the last call.
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn take_statistics(&mut self) -> Result<Vec<FrameStats>, SimulationError> {
+        Ok(self.backend.take_statistics()?)
+    }
+
+    /// Digest of the living: equal digests mean equal states.
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn state_digest(&mut self) -> Result<u64, SimulationError> {
+        Ok(self.backend.state_digest()?)
+    }
+}
+
+/// A particle as people see it; `rows` are those of its birth frame.
+fn state_of(particle: &Particle, inputs: &FrameInputs, rows: &[SystemRow]) -> ParticleState {
+    let (who, age) = identity_of(particle, inputs);
+    let slot = particle.slot();
+    let system = &inputs.systems[slot as usize];
+    let row = &rows[row_index(slot, 0, 0)];
+    let position = world_of(system, particle.position().into());
+    // A velocity only turns: taking the origin away again would cost it its last digits.
+    let mut velocity = glam::Vec3::from(particle.velocity());
+    if system.flags & SYSTEM_PARABOLIC != 0 {
+        // What is stored is that halfway through the next frame.
+        velocity -= glam::Vec3::from_slice(&system.acceleration) * 0.5;
+    }
+    let turned = |[x, y, z, _]: [f32; 4]| dot3(glam::Vec3::new(x, y, z), velocity);
+    ParticleState {
+        position: position.into(),
+        velocity: [
+            turned(system.world_from_system_x),
+            turned(system.world_from_system_y),
+            turned(system.world_from_system_z),
+        ],
+        age,
+        lifetime: lifetime_of(who, row.speed_and_lifetime),
+        system: slot,
+        id: draw(who, STREAM_PLACE).x,
+    }
+}
