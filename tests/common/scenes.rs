@@ -279,13 +279,13 @@ pub(crate) fn large_shapes(width: u32, height: u32) -> Scene {
         format!(
             "[[system]]\nname = \"{name}\"\nposition = [{at}]\ninitial_mean_parts = 2\n\
              generation_shape = {{ kind = \"sphere\", radius = 0.5 }}\nlifetime = 3\n\
-             color = {{ mean = [{color}], var = [0.05, 0.05, 0.05] }}\n\
+             color = {{ mean = [{color}], var = [0.05, 0.05, 0.05], rate_var = [0.03, 0.02, 0.01] }}\n\
              transparency = {{ mean = 0.3, var = 0.2 }}\n{rest}\n"
         )
     };
     let streak = "speed = { mean = 2, var = 1 }\nsize = { mean = 0.9, var = 0.6 }\n\
                   acceleration = [0.3, -0.2, 0.1]\nparticle_shape = \"streak\"\n";
-    let large = "speed = 0.01\nsize = { mean = 1, var = 0.7 }\n";
+    let large = "speed = 0.01\nsize = { mean = 1, var = 0.7 }\nlight_distance = 4\n";
     let systems = [
         system("streaks", "0.1, -0.3, 0", "0.3, 0.2, 0.1", streak),
         system(
