@@ -83,6 +83,17 @@ pub(crate) fn try_zeroed<T: bytemuck::Zeroable + Clone>(
     Ok(zeros)
 }
 
+/// A copy of the words, or an error where there is no room for it.
+pub(crate) fn try_copied(words: &[u32], what: &str) -> Result<Vec<u32>, BackendError> {
+    let mut copy = Vec::new();
+    copy.try_reserve_exact(words.len()).map_err(|_| {
+        let mib = size_of_val(words) >> 20;
+        BackendError::OutOfMemory(format!("a copy of {what} takes {mib} MiB"))
+    })?;
+    copy.extend_from_slice(words);
+    Ok(copy)
+}
+
 /// A plan under way on some processor. Pools start empty. It may move to another thread.
 pub trait Backend: Any + Send {
     /// Name of the adapter, for people.

@@ -17,7 +17,7 @@ pub mod wind;
 
 use rayon::prelude::*;
 
-use crate::backend::{Backend, BackendError, available_bytes, try_zeroed};
+use crate::backend::{Backend, BackendError, available_bytes, try_copied, try_zeroed};
 use crate::layout::{Counts, FrameStats, Particle, SystemRow};
 use crate::plan::{FrameInputs, Plan, Stage};
 use light::LightSums;
@@ -271,7 +271,7 @@ impl Backend for CpuBackend {
             "birth_counts" => self.birth_counts.clone(),
             "birth_offsets" => self.birth_offsets.clone(),
             "counts" => bytemuck::cast_slice(&[self.counts]).to_vec(),
-            "particles" => bytemuck::cast_slice(&self.particles).to_vec(),
+            "particles" => try_copied(bytemuck::cast_slice(&self.particles), "the particles")?,
             "alive_bits" => self.alive_bits.clone(),
             "deaths" => self.deaths.to_vec(),
             "light_low" => (0..self.light.len())

@@ -14,7 +14,7 @@ use super::OutputError;
 const BUFFER_BYTES: usize = 1 << 16;
 
 /// A file being written. See the module's documentation.
-pub(super) struct AtomicFile {
+pub(crate) struct AtomicFile {
     /// None only while the value is being taken apart.
     writer: Option<BufWriter<File>>,
     /// As the user wrote it, for messages.
@@ -32,7 +32,7 @@ impl AtomicFile {
     /// Starts a file that shall stand at `path`; folders that are missing above it are created.
     ///
     /// A symbolic link is followed, and a device or pipe (`/dev/stdout`) is written as it is: renaming would replace it.
-    pub(super) fn create(path: &Path) -> Result<Self, OutputError> {
+    pub(crate) fn create(path: &Path) -> Result<Self, OutputError> {
         let asked_path = path.to_owned();
         let final_path = match fs::metadata(path) {
             Ok(metadata) if metadata.is_dir() => {
@@ -85,12 +85,12 @@ impl AtomicFile {
     }
 
     /// An error of writing this file, in the user's words.
-    pub(super) fn error(&self, error: io::Error) -> OutputError {
+    pub(crate) fn error(&self, error: io::Error) -> OutputError {
         OutputError::io(&self.asked_path, "write", error)
     }
 
     /// Puts the finished file in its place, over an older one of that name.
-    pub(super) fn commit(mut self) -> Result<(), OutputError> {
+    pub(crate) fn commit(mut self) -> Result<(), OutputError> {
         let mut writer = self.writer.take().expect("taken only here and in drop");
         writer.flush().map_err(|error| self.error(error))?;
         // Closed before it is renamed: some systems do not rename an open file.

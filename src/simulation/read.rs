@@ -2,6 +2,7 @@
 
 use super::lines::line_of;
 use super::{Line, Simulation, SimulationError};
+use crate::backend::BackendError;
 use crate::cpu::particle::{STREAM_PLACE, draw, identity_of, lifetime_of, row_index};
 use crate::cpu::projection::world_of;
 use crate::exact::dot3;
@@ -31,26 +32,32 @@ impl Simulation {
     /// # Errors
     /// The machine fails.
     pub fn particles(&mut self) -> Result<Vec<ParticleState>, SimulationError> {
-        let mut states = Vec::new();
-        self.for_each_particle(|particle, inputs, rows| {
+        let mut states: Vec<ParticleState> = Vec::new();
+        let words = self.backend.read("particles")?;
+        let count = words.len() * 4 / size_of::<Particle>();
+        states
+            .try_reserve_exact(count)
+            .map_err(|_| BackendError::OutOfMemory(format!("the states of {count} particles")))?;
+        self.for_each_particle(&words, |particle, inputs, rows| {
             states.push(state_of(particle, inputs, rows));
-        })?;
+        });
         Ok(states)
     }
 
-    /// Hands over the living, in storage order, each with the parameter rows of its birth frame.
+    /// Hands over the living, whose words these are, in storage order, each with the parameter rows
+    /// of its birth frame.
     fn for_each_particle(
-        &mut self,
+        &self,
+        words: &[u32],
         mut take: impl FnMut(&Particle, &FrameInputs, &[SystemRow]),
-    ) -> Result<(), SimulationError> {
+    ) {
         let Some(inputs) = &self.inputs else {
-            return Ok(());
+            return;
         };
-        let words = self.backend.read("particles")?;
-        let particles: Vec<Particle> = bytemuck::pod_collect_to_vec(&words);
+        let particles: &[Particle] = bytemuck::cast_slice(words);
         let mut rows: Vec<SystemRow> = Vec::new();
         let mut rows_frame = None;
-        for particle in &particles {
+        for particle in particles {
             let (who, _) = identity_of(particle, inputs);
             if rows_frame != Some(who.birth_frame) {
                 rows = self.plan.inputs(who.birth_frame).rows;
@@ -58,7 +65,6 @@ impl Simulation {
             }
             take(particle, inputs, &rows);
         }
-        Ok(())
     }
 
     /// The living as line segments, in storage order; without those that reach nearer than the
@@ -68,9 +74,10 @@ impl Simulation {
     /// The machine fails.
     pub fn lines(&mut self) -> Result<Vec<Line>, SimulationError> {
         let mut lines = Vec::new();
-        self.for_each_particle(|particle, inputs, rows| {
+        let words = self.backend.read("particles")?;
+        self.for_each_particle(&words, |particle, inputs, rows| {
             lines.extend(line_of(particle, inputs, rows));
-        })?;
+        });
         Ok(lines)
     }
 

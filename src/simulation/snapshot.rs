@@ -4,6 +4,8 @@
 //! anywhere from one lifetime before. Where particles live without limit, or births are dropped for
 //! want of room, the whole past counts, and a snapshot stands for it.
 
+use std::io::{self, Write};
+
 use super::{Simulation, SimulationError};
 use crate::cpu::digest;
 use crate::layout::Particle;
@@ -11,8 +13,8 @@ use crate::layout::Particle;
 /// What the bytes of a snapshot begin with; the last is the version of what follows.
 const MAGIC: &[u8; 8] = b"motes-s\x01";
 
-/// Bytes before the particles: magic, frame, systems, number of particles.
-const HEAD: usize = 20;
+/// Words between that and the particles: frame, number of systems, number of particles.
+const HEAD_WORDS: usize = 3;
 
 /// Words of a particle.
 const PARTICLE_WORDS: usize = size_of::<Particle>() / 4;
@@ -35,6 +37,8 @@ pub enum SnapshotError {
     Damaged,
     /// The run has other systems, fewer places, or begins later.
     OfAnotherRun,
+    /// There is no room in memory for it.
+    TooLarge,
 }
 
 impl std::fmt::Display for SnapshotError {
@@ -43,6 +47,7 @@ impl std::fmt::Display for SnapshotError {
             Self::NotASnapshot => "this is no snapshot of this version of Motes",
             Self::Damaged => "the snapshot is damaged",
             Self::OfAnotherRun => "the snapshot is of another run",
+            Self::TooLarge => "there is no room in memory for the snapshot",
         })
     }
 }
@@ -60,58 +65,60 @@ impl Snapshot {
         (self.words.len() / PARTICLE_WORDS) as u32
     }
 
-    /// The bytes that [`Snapshot::from_bytes`] reads, the same on every machine: 28, and 32
+    /// Writes the bytes that [`Snapshot::from_bytes`] reads, the same on every machine: 28, and 32
     /// for each particle.
-    pub fn to_bytes(&self) -> Vec<u8> {
-        let mut bytes = Vec::with_capacity(HEAD + self.words.len() * 4 + 8);
-        bytes.extend(MAGIC);
-        bytes.extend(self.frame.to_le_bytes());
-        bytes.extend(self.system_count.to_le_bytes());
-        bytes.extend(self.live().to_le_bytes());
-        bytes.extend(self.words.iter().flat_map(|word| word.to_le_bytes()));
-        let seal = seal(&bytes[MAGIC.len()..]);
-        bytes.extend(seal.to_le_bytes());
-        bytes
-    }
-
-    /// Reads what [`Snapshot::to_bytes`] wrote.
     ///
     /// # Errors
-    /// [`SnapshotError::NotASnapshot`], [`SnapshotError::Damaged`].
+    /// Those of the writer.
+    pub fn write_to(&self, out: &mut impl Write) -> io::Result<()> {
+        let head = self.head();
+        out.write_all(MAGIC)?;
+        for word in head.iter().chain(&self.words) {
+            out.write_all(&word.to_le_bytes())?;
+        }
+        out.write_all(&seal(&head, &self.words).to_le_bytes())
+    }
+
+    fn head(&self) -> [u32; HEAD_WORDS] {
+        [self.frame.cast_unsigned(), self.system_count, self.live()]
+    }
+
+    /// Reads what [`Snapshot::write_to`] wrote.
+    ///
+    /// # Errors
+    /// [`SnapshotError::NotASnapshot`], [`SnapshotError::Damaged`], [`SnapshotError::TooLarge`].
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, SnapshotError> {
         let rest = bytes
             .strip_prefix(MAGIC)
             .ok_or(SnapshotError::NotASnapshot)?;
         let (body, found) = rest.split_last_chunk::<8>().ok_or(SnapshotError::Damaged)?;
-        let (words, odd) = body.as_chunks::<4>();
-        if !odd.is_empty() || u64::from_le_bytes(*found) != seal(body) {
+        let (quads, odd) = body.as_chunks::<4>();
+        let mut body = quads.iter().map(|word| u32::from_le_bytes(*word));
+        let head = [(); HEAD_WORDS].map(|()| body.next());
+        let [Some(frame), Some(system_count), Some(live)] = head else {
             return Err(SnapshotError::Damaged);
-        }
-        let words: Vec<u32> = words.iter().map(|word| u32::from_le_bytes(*word)).collect();
-        match words.as_slice() {
-            [frame, system_count, live, particles @ ..]
-                if particles.len() == *live as usize * PARTICLE_WORDS =>
-            {
-                Ok(Self {
-                    frame: frame.cast_signed(),
-                    system_count: *system_count,
-                    words: particles.to_vec(),
-                })
-            }
-            _ => Err(SnapshotError::Damaged),
-        }
+        };
+        let mut words = Vec::new();
+        words
+            .try_reserve_exact(body.len())
+            .map_err(|_| SnapshotError::TooLarge)?;
+        words.extend(body);
+        let is_whole = odd.is_empty()
+            && words.len() as u64 == u64::from(live) * PARTICLE_WORDS as u64
+            && u64::from_le_bytes(*found) == seal(&[frame, system_count, live], &words);
+        is_whole
+            .then(|| Self {
+                frame: frame.cast_signed(),
+                system_count,
+                words,
+            })
+            .ok_or(SnapshotError::Damaged)
     }
 }
 
-/// What tells changed bytes from unchanged ones.
-fn seal(bytes: &[u8]) -> u64 {
-    let word = |four: &[u8]| {
-        let mut word = [0; 4];
-        word[..four.len()].copy_from_slice(four);
-        u32::from_le_bytes(word)
-    };
-    let words: Vec<u32> = bytes.chunks(4).map(word).collect();
-    digest(&words, 1)
+/// What tells changed words from unchanged ones.
+fn seal(head: &[u32], words: &[u32]) -> u64 {
+    digest(head, 1).rotate_left(1) ^ digest(words, 1)
 }
 
 impl Simulation {

@@ -2,6 +2,7 @@
 //! output and what to standard error, and what lies on the disk afterwards. All on the processor, so
 //! that a machine without a Vulkan driver passes too.
 
+mod failing;
 mod readme;
 mod refused;
 mod render;

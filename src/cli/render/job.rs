@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 
 use super::interrupt::Interrupt;
 use super::journal::{Finished, Journal};
+use crate::backend::BackendError;
 use crate::cli::{CliError, progress_bar};
 use crate::layout::FrameStats;
 use crate::output::{
@@ -14,7 +15,7 @@ use crate::output::{
     write_svg,
 };
 use crate::scene::Scene;
-use crate::simulation::Simulation;
+use crate::simulation::{Simulation, SimulationError};
 
 /// Steps between two looks at the statistics: less than half of their ring, so that none are lost
 /// and the device is seldom waited for.
@@ -91,13 +92,9 @@ impl Job<'_> {
             } else if frame % STATISTICS_STEPS == 0 {
                 summary.count(&simulation.take_statistics()?);
             }
-            if let Some(journal) = &self.journal
-                && snapshot_due <= Instant::now()
-                && let Some(snapshot) = simulation.snapshot()?
-            {
+            if snapshot_due <= Instant::now() {
                 let begun = Instant::now();
-                summary.count(&simulation.take_statistics()?);
-                journal.keep_state(&snapshot, summary.dropped)?;
+                self.keep_state(simulation, &mut summary)?;
                 let rest = begun.elapsed() * SNAPSHOT_SHARE;
                 snapshot_due = Instant::now() + self.snapshot_every.max(rest);
             }
@@ -106,6 +103,27 @@ impl Job<'_> {
         progress.finish_and_clear();
         summary.count(&simulation.take_statistics()?);
         Ok(summary)
+    }
+
+    /// Puts the state into the journal, if there is one, and room for it.
+    fn keep_state(
+        &self,
+        simulation: &mut Simulation,
+        summary: &mut Summary,
+    ) -> Result<(), CliError> {
+        let Some(journal) = &self.journal else {
+            return Ok(());
+        };
+        let snapshot = match simulation.snapshot() {
+            // A precaution that does not fit is left out.
+            Err(SimulationError::Backend(BackendError::OutOfMemory(_))) => return Ok(()),
+            snapshot => snapshot?,
+        };
+        summary.count(&simulation.take_statistics()?);
+        match snapshot {
+            Some(snapshot) => journal.keep_state(&snapshot, summary.dropped),
+            None => Ok(()),
+        }
     }
 
     /// Takes over what a stopped run had finished; the first frame that is left to do.

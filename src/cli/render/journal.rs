@@ -14,7 +14,8 @@ use std::path::{Path, PathBuf};
 
 use crate::cli::CliError;
 use crate::output::{
-    OutputError, OutputTarget, Rgba8Image, create_folder, read_png, write_png, write_whole,
+    AtomicFile, OutputError, OutputTarget, Rgba8Image, create_folder, read_png, write_png,
+    write_whole,
 };
 use crate::simulation::Snapshot;
 
@@ -171,8 +172,11 @@ impl Journal {
 
     /// Keeps the state, and how many births have been dropped up to it.
     pub(super) fn keep_state(&self, snapshot: &Snapshot, dropped: u64) -> Result<(), CliError> {
-        let bytes = [&dropped.to_le_bytes()[..], &snapshot.to_bytes()].concat();
-        Ok(write_whole(&self.folder.join("state"), &bytes)?)
+        let mut file = AtomicFile::create(&self.folder.join("state"))?;
+        file.write_all(&dropped.to_le_bytes())
+            .and_then(|()| snapshot.write_to(&mut file))
+            .map_err(|error| file.error(error))?;
+        Ok(file.commit()?)
     }
 
     /// The state that was kept last; `None` where there is none, or it is damaged.

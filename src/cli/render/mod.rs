@@ -6,6 +6,8 @@ mod interrupt;
 mod job;
 mod journal;
 mod request;
+#[cfg(test)]
+mod tests;
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
