@@ -2,7 +2,7 @@
 # The whole test suite in one command: `bash tests/run.sh`, from any folder, as root or with sudo.
 #
 # On Debian it installs what is missing: a linker for Rust, Mesa's lavapipe, the validation layer,
-# and SwiftShader, which comes with chromium. With everything in place it needs no network for that.
+# SwiftShader, which comes with chromium, and ffmpeg. With everything in place it needs no network for that.
 # Then format, lints, documentation and tests, GPU tests on both drivers required. It stops at the
 # first step that fails, names it, and ends with an exit code other than 0.
 set -Eeuo pipefail
@@ -67,6 +67,7 @@ case $(PATH=$PATH:/sbin:/usr/sbin ldconfig -p) in
 esac
 [ -e /usr/share/vulkan/explicit_layer.d/VkLayer_khronos_validation.json ] ||
     missing+=(vulkan-validationlayers)
+command -v ffmpeg >/dev/null || missing+=(ffmpeg)
 # The driver lies in chromium-common, which is a third of chromium.
 [ -n "$swiftshader" ] || missing+=(chromium-common)
 if [ "${#missing[@]}" -gt 0 ]; then
@@ -86,6 +87,8 @@ export VK_DRIVER_FILES=$lavapipe:$swiftshader
 export VK_ICD_FILENAMES=$VK_DRIVER_FILES
 # Mesa's layer that picks a device would look for a Wayland session and complain that there is none.
 export NODEVICE_SELECT=1
+# Films are made and looked at, not skipped.
+export MOTES_REQUIRE_FFMPEG=1
 # Tests say themselves where they run.
 unset MOTES_ADAPTER
 echo "drivers: $VK_DRIVER_FILES"
