@@ -20,6 +20,7 @@ static EXPLAINED: &[Explanation] = &[
     ("systems/offsets", "offsets: (end > start) -> GreaterEqual", "where they are equal, their difference is the 0 that was selected"),
     ("particles/cull", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: 268 million particles a page"),
     ("particles/cull", "cull: (first >= page_end) -> Greater", "one word more, of no particles: 0 bits that nothing reads"),
+    ("particles/cull", "const LIVES: 0u -> 4294967295u", "a code that has to differ from the others, and does"),
     ("particles/cull", "is_out_of_bounds: ? = is_out -> omitted", "it still has the turn before's, which is is_out"),
     ("particles/cull", "fate_of: 0.0f -> -1.0f", "no threshold is -1, and no intensity is below it either"),
     ("*", "system_at: 1u -> 0u in (frame.system_count == 1u)", "only the short cut of a lone system is lost"),
