@@ -9,7 +9,7 @@ mod schema;
 use std::io::{IsTerminal, Write};
 
 use clap::{Parser, Subcommand};
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 
 use crate::backend::BackendError;
 use crate::output::OutputError;
@@ -164,7 +164,16 @@ pub(crate) fn progress_bar(frames: u64) -> ProgressBar {
     if !std::io::stderr().is_terminal() {
         return ProgressBar::hidden();
     }
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} frames, {per_sec}, {eta} left");
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} frames, {rate}, {eta} left")
+        .map(|style| {
+            style.with_key(
+                "rate",
+                |state: &ProgressState, out: &mut dyn std::fmt::Write| {
+                    // A bar that cannot be drawn is no loss.
+                    let _ = write!(out, "{:.1} a second", state.per_sec());
+                },
+            )
+        });
     let bar = ProgressBar::new(frames);
     match style {
         Ok(style) => bar.with_style(style),
