@@ -4,15 +4,15 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use super::frame::{picture_of, rows_of};
 use super::interrupt::Interrupt;
 use super::journal::{Finished, Journal};
+use super::summary::Summary;
 use crate::backend::BackendError;
 use crate::cli::{CliError, progress_bar};
-use crate::layout::FrameStats;
 use crate::output::{
-    Drawing, FrameSink, LinearImage, Measured, OutputTarget, ParticleCounts, ParticleRecord,
-    Picture, Pixels, Rgba8Image, StatsRow, StatsWriter, Written, dump_path, write_particles,
-    write_svg,
+    Drawing, FrameSink, OutputTarget, ParticleRecord, Picture, StatsWriter, Written, dump_path,
+    write_particles, write_svg,
 };
 use crate::scene::Scene;
 use crate::simulation::{Simulation, SimulationError};
@@ -46,19 +46,6 @@ pub(super) struct Job<'a> {
     /// Time between two snapshots in the journal.
     pub(super) snapshot_every: Duration,
     pub(super) interrupt: &'a Interrupt,
-}
-
-/// What a run came to.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Summary {
-    /// Births left out for want of room.
-    pub(super) dropped: u64,
-    /// Most particles alive after a frame.
-    pub(super) most_live: u32,
-    /// Whether any pixel differed from the others of its picture.
-    pub(super) lit: bool,
-    /// The frame that was next when it was asked to stop, and the exit code for that.
-    pub(super) stopped: Option<(u32, u8)>,
 }
 
 impl Job<'_> {
@@ -146,7 +133,7 @@ impl Job<'_> {
                         return Ok(frame);
                     };
                     let picture = Picture::Bytes(image);
-                    summary.lit |= is_lit(&picture);
+                    summary.look_at(&picture);
                     sink.write_frame(frame, &picture)?;
                 }
                 _ => summary.lit = true,
@@ -216,7 +203,7 @@ impl Job<'_> {
             Pictures::Frames(sink) => {
                 let what = format!("frame {frame}");
                 let picture = picture_of(simulation, scene, sink.pixels(), &what)?;
-                summary.lit |= is_lit(&picture);
+                summary.look_at(&picture);
                 sink.write_frame(frame, &picture)?;
                 let kept = self.journal.as_ref().filter(|_| self.target.is_animation());
                 if let (Some(journal), Picture::Bytes(image)) = (kept, &picture) {
@@ -291,79 +278,5 @@ impl Job<'_> {
             journal.remove();
         }
         Ok(written)
-    }
-}
-
-impl Summary {
-    fn count(&mut self, lines: &[FrameStats]) {
-        for line in lines {
-            self.dropped += u64::from(line.dropped);
-            self.most_live = self.most_live.max(line.live);
-        }
-    }
-}
-
-/// The rows of a frame: its state's and its picture's.
-fn rows_of(line: &FrameStats, (state, image): (u64, u64)) -> Vec<String> {
-    let counts = ParticleCounts {
-        requested: line.requested.into(),
-        born: line.born.into(),
-        died: line.died.into(),
-        live: line.live.into(),
-        dropped: line.dropped.into(),
-        died_of_intensity: line.died_of_intensity.into(),
-        died_of_bounds: line.died_of_bounds.into(),
-    };
-    [
-        ("particles", Measured::Particles(counts), state),
-        ("image", Measured::Image, image),
-    ]
-    .map(|(population, measured, digest)| {
-        let row = StatsRow {
-            frame: line.frame,
-            population,
-            measured,
-            digest: Some(digest),
-        };
-        row.to_line()
-    })
-    .into()
-}
-
-/// The image drawn last, in the form that its file takes; `what` of the scene it shows.
-fn picture_of(
-    simulation: &mut Simulation,
-    scene: &Scene,
-    pixels: Pixels,
-    what: &str,
-) -> Result<Picture, CliError> {
-    let (width, height) = (scene.image.width, scene.image.height);
-    Ok(match pixels {
-        Pixels::Bytes => Picture::Bytes(Rgba8Image {
-            width,
-            height,
-            pixels: simulation.image()?,
-        }),
-        Pixels::Linear => Picture::Linear(LinearImage {
-            width,
-            height,
-            pixels: simulation.radiance()?,
-            is_layer: false,
-            comment: format!("{}, seed {}, {what}", scene.name, scene.seed),
-        }),
-    })
-}
-
-/// Whether there is anything to see: a pixel that differs from the first.
-fn is_lit(picture: &Picture) -> bool {
-    match picture {
-        Picture::Bytes(image) => {
-            let (pixels, _) = image.pixels.as_chunks::<4>();
-            pixels.iter().any(|pixel| Some(pixel) != pixels.first())
-        }
-        Picture::Linear(image) => {
-            let mut pixels = image.pixels.iter();
-            pixels.any(|pixel| Some(pixel) != image.pixels.first())
-        }
     }
 }

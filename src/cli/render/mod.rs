@@ -2,10 +2,12 @@
 
 mod args;
 mod collisions;
+mod frame;
 mod interrupt;
 mod job;
 mod journal;
 mod request;
+mod summary;
 #[cfg(test)]
 mod tests;
 
@@ -18,9 +20,10 @@ use crate::output::{FrameSink, OutputTarget, StatsWriter};
 use crate::scene::Scene;
 use crate::simulation::{self, AdapterChoice, Options, Simulation};
 use interrupt::Interrupt;
-use job::{Job, Pictures, Summary};
+use job::{Job, Pictures};
 use journal::{Finished, Journal};
 use request::Request;
+use summary::Summary;
 
 pub(super) use args::RenderArgs;
 

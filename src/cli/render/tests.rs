@@ -6,8 +6,9 @@ use std::path::Path;
 use std::time::Duration;
 
 use super::interrupt::Interrupt;
-use super::job::{Job, Pictures, Summary};
+use super::job::{Job, Pictures};
 use super::journal::{Finished, Journal};
+use super::summary::Summary;
 use crate::backend::{Backend, BackendError};
 use crate::cli::CliError;
 use crate::cpu::CpuBackend;

@@ -1,0 +1,46 @@
+//! What a run came to, for its last words.
+
+use crate::layout::FrameStats;
+use crate::output::Picture;
+
+/// What a run came to.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Summary {
+    /// Births left out for want of room.
+    pub(super) dropped: u64,
+    /// Most particles alive after a frame.
+    pub(super) most_live: u32,
+    /// Whether any pixel differed from the others of its picture.
+    pub(super) lit: bool,
+    /// The frame that was next when it was asked to stop, and the exit code for that.
+    pub(super) stopped: Option<(u32, u8)>,
+}
+
+impl Summary {
+    /// Counts what happened in these frames.
+    pub(super) fn count(&mut self, lines: &[FrameStats]) {
+        for line in lines {
+            self.dropped += u64::from(line.dropped);
+            self.most_live = self.most_live.max(line.live);
+        }
+    }
+
+    /// Sees whether there is anything to see in a picture.
+    pub(super) fn look_at(&mut self, picture: &Picture) {
+        self.lit = self.lit || is_lit(picture);
+    }
+}
+
+/// Whether a pixel differs from the first.
+fn is_lit(picture: &Picture) -> bool {
+    match picture {
+        Picture::Bytes(image) => {
+            let (pixels, _) = image.pixels.as_chunks::<4>();
+            pixels.iter().any(|pixel| Some(pixel) != pixels.first())
+        }
+        Picture::Linear(image) => {
+            let mut pixels = image.pixels.iter();
+            pixels.any(|pixel| Some(pixel) != image.pixels.first())
+        }
+    }
+}
