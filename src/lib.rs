@@ -79,6 +79,9 @@
 //! meet, and tells the scene's faults from the machine's ([`backend::BackendError`]). Errors can be
 //! sent to other threads, and so can a [`Simulation`].
 
+// What a closed pipe answers with a panic.
+#![deny(clippy::print_stderr, clippy::print_stdout)]
+
 pub mod area;
 pub mod backend;
 pub mod check;

@@ -133,6 +133,11 @@ pub(crate) fn print(text: &str) -> Result<(), CliError> {
         })
 }
 
+/// Says something on standard error. Where that cannot be written, there is nobody to say so to.
+pub(crate) fn tell(message: &str) {
+    let _ = writeln!(std::io::stderr(), "{message}");
+}
+
 /// Runs the program with the process's arguments; the exit code.
 pub fn main() -> u8 {
     let cli = match Cli::try_parse() {
@@ -153,7 +158,7 @@ pub fn main() -> u8 {
     match result {
         Ok(code) => code,
         Err(e) => {
-            let _ = writeln!(std::io::stderr(), "{}", e.message.trim_end());
+            tell(e.message.trim_end());
             e.code
         }
     }

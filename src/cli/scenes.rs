@@ -41,7 +41,13 @@ pub(super) fn run(args: &ScenesArgs) -> Result<u8, CliError> {
                     "`motes scenes` lists the built-in ones",
                 )
             })?;
-        print(builtin.text)?;
+        // Its first line names a file that lies beside it, but not beside a copy.
+        let (first, rest) = builtin.text.split_once('\n').unwrap_or_default();
+        print(if first.starts_with("#:schema") {
+            rest
+        } else {
+            builtin.text
+        })?;
         return Ok(0);
     }
     let mut text = String::new();

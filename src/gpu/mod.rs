@@ -47,6 +47,7 @@ pub use options::{GpuOptions, Mutation};
 pub use picture::{ParticleBuffers, TextureError};
 pub use probe::KernelForm;
 pub use timing::KernelTimes;
+pub use watch::is_waiting;
 
 /// The state of a run on a device.
 pub struct GpuBackend {

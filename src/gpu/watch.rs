@@ -5,10 +5,22 @@
 //! beginning and end, and nothing else. Of a lost device neither of them tells: calls on it are
 //! quietly left undone, so that it has to be asked.
 
+use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::device::GpuDevice;
 use crate::backend::BackendError;
+
+thread_local! {
+    /// Whether this thread waits for a device.
+    static WAITING: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Whether this thread is waiting for a device: a panic now is the driver's loss of it, which is
+/// caught and comes back as [`BackendError::DeviceLost`]. For panic hooks.
+pub fn is_waiting() -> bool {
+    WAITING.get()
+}
 
 /// Open scopes for every kind of error, popped in reverse order also when dropped.
 struct Scopes(Option<[wgpu::ErrorScopeGuard; 3]>);
@@ -152,7 +164,10 @@ impl GpuDevice {
         };
         // wgpu panics here when the driver loses the device while it is waited for. It holds
         // nothing by then, and only answers that the device is lost from then on.
-        catch_unwind(AssertUnwindSafe(|| self.device.poll(kind)))
+        WAITING.set(true);
+        let polled = catch_unwind(AssertUnwindSafe(|| self.device.poll(kind)));
+        WAITING.set(false);
+        polled
             .map_err(|_| lost(format!("{} gave up", self.description.name)))?
             .map_err(|e| lost(e.to_string()))?;
         self.check()

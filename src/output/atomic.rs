@@ -131,6 +131,16 @@ impl Drop for AtomicFile {
     }
 }
 
+/// Finds out before a long run, rather than after it, whether a file can be written.
+pub(crate) fn probe(path: &Path) -> Result<(), OutputError> {
+    // Who reads a pipe would take this for its end.
+    let is_special = fs::metadata(path).is_ok_and(|it| !it.is_file() && !it.is_dir());
+    if is_special {
+        return Ok(());
+    }
+    AtomicFile::create(path).map(drop)
+}
+
 /// Creates a folder with all that are missing above it; no error where it exists.
 pub(crate) fn create_folder(folder: &Path) -> Result<(), OutputError> {
     fs::create_dir_all(folder).map_err(|error| OutputError::io(folder, "create the folder", error))

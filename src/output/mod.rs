@@ -36,7 +36,7 @@ mod sink;
 mod svg;
 mod target;
 
-pub(crate) use atomic::{AtomicFile, create_folder};
+pub(crate) use atomic::{AtomicFile, probe};
 pub use csv::{Measured, ParticleCounts, StatsRow, StatsWriter};
 pub use error::OutputError;
 pub use exr::write_exr;

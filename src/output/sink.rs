@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::atomic::AtomicFile;
+use super::atomic::probe;
 use super::gif::GifWriter;
 use super::mp4::Mp4Writer;
 use super::{FramePattern, OutputError, OutputTarget, PictureRef, Pixels};
@@ -200,9 +200,4 @@ fn frames(pattern: FramePattern) -> Result<Writer, OutputError> {
     // The name of a frame may be a folder; that of frame 0 stands for all of them.
     probe(&pattern.path(0))?;
     Ok(Writer::Frames(pattern))
-}
-
-/// Finds out before a long run, rather than after it, whether a file can be written.
-fn probe(path: &std::path::Path) -> Result<(), OutputError> {
-    AtomicFile::create(path).map(drop)
 }

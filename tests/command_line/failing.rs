@@ -93,6 +93,35 @@ fn a_full_disk_ends_the_run_and_leaves_the_earlier_frames_to_go_on_from() {
 }
 
 #[test]
+fn a_film_that_does_not_fit_on_the_disk_is_no_film() {
+    let here = Workshop::new();
+    let has_ffmpeg = Command::new("ffmpeg").arg("-version").output().is_ok();
+    let is_required = std::env::var_os("MOTES_REQUIRE_FFMPEG").is_some_and(|it| !it.is_empty());
+    assert!(has_ffmpeg || !is_required, "there is no ffmpeg");
+    std::fs::create_dir(here.path("disk")).expect("a temporary folder can be written");
+    let (true, Some(way)) = (has_ffmpeg, own_mounts(&here)) else {
+        return;
+    };
+    here.render(&["-o", "whole.mp4", "--size", "640x360"]);
+    let pages = here.read("whole.mp4").len() / 4096;
+    assert!(pages >= 2, "{pages}");
+    // From the middle of its frames to its very end.
+    for kib in [pages * 2, pages * 3, pages * 4] {
+        let script = format!(
+            "mount -t tmpfs -o size={kib}k none disk; echo old >disk/a.mp4; \
+             $MOTES render sparks.toml --adapter cpu --size 640x360 -o disk/a.mp4; \
+             echo code $? >&2; ls -A disk >&2; cat disk/a.mp4 >&2"
+        );
+        let output = shell(&here, way, &script);
+        let stderr = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(
+            stderr.ends_with("code 3\na.mp4\nold\n"),
+            "{kib} KiB: {stderr}"
+        );
+    }
+}
+
+#[test]
 fn want_of_memory_is_told_and_not_a_crash() {
     let here = Workshop::new();
     here.write(

@@ -61,7 +61,10 @@ impl Workshop {
     }
 
     fn write(&self, name: &str, text: impl AsRef<[u8]>) {
-        std::fs::write(self.path(name), text).expect("a temporary folder can be written");
+        let path = self.path(name);
+        let folder = path.parent().expect("it is in the folder");
+        std::fs::create_dir_all(folder).expect("a temporary folder can be written");
+        std::fs::write(path, text).expect("a temporary folder can be written");
     }
 
     fn read(&self, name: &str) -> Vec<u8> {

@@ -124,6 +124,24 @@ fn killed_runs_go_on_to_the_same_pictures_statistics_and_dumps() {
 }
 
 #[test]
+fn killed_runs_of_light_go_on_to_the_same_files() {
+    kill_until_done(&["-o", "all/%d.exr"], kills() / 2);
+}
+
+#[test]
+fn killed_films_go_on_to_the_same_file() {
+    let has_ffmpeg = std::process::Command::new("ffmpeg")
+        .arg("-version")
+        .output()
+        .is_ok();
+    let is_required = std::env::var_os("MOTES_REQUIRE_FFMPEG").is_some_and(|it| !it.is_empty());
+    assert!(has_ffmpeg || !is_required, "there is no ffmpeg");
+    if has_ffmpeg {
+        kill_until_done(&["-o", "a.mp4"], kills() / 2);
+    }
+}
+
+#[test]
 fn killed_animations_go_on_to_the_same_file() {
     kill_until_done(&["-o", "a.gif", "--stats", "s.csv"], kills());
 }
@@ -153,7 +171,7 @@ fn stop(here: &Workshop, arguments: &[&str], signal: &str, watched: Option<&str>
 fn ctrl_c_ends_cleanly_and_says_how_to_go_on() {
     let output = ["-o", "all", "--stats", "s.csv"];
     let expected = whole(&output);
-    for (signal, code) in [("-INT", 130), ("-TERM", 143)] {
+    for (signal, code) in [("-INT", 130), ("-TERM", 143), ("-HUP", 129)] {
         let here = workshop();
         let ended = stop(&here, &render(&output), signal, Some("all/frame-0003.png"));
         assert_eq!(ended.code, code, "{}", ended.stderr);
@@ -205,20 +223,21 @@ fn an_animation_that_was_not_begun_to_be_resumed_leaves_nothing() {
 #[test]
 fn two_processes_that_share_the_frames_make_the_files_of_one() {
     let here = Workshop::new();
-    here.render(&["-o", "whole"]);
-    let halves = ["0..4", "4..10"].map(|frames| {
-        let arguments = ["--adapter", "cpu", "-o", "halves", "--frames", frames];
-        start(
-            &here,
-            &[&["render", "sparks.toml"], &arguments[..]].concat(),
-        )
-    });
-    for half in halves {
-        let ended = Ended::of(half.wait_with_output());
+    let render = |arguments: &[&str]| {
+        let scene = ["render", "fireworks", "--adapter", "cpu", "--size", "64x36"];
+        start(&here, &[&scene[..], arguments].concat())
+    };
+    let runs = [
+        render(&["-o", "whole"]),
+        render(&["-o", "halves", "--frames", "0..90"]),
+        render(&["-o", "halves", "--frames", "90..168"]),
+    ];
+    for run in runs {
+        let ended = Ended::of(run.wait_with_output());
         assert_eq!(ended.code, 0, "{}", ended.stderr);
     }
     let files = files_of(&here);
-    assert_eq!(files.len(), 20, "{:?}", here.files());
+    assert_eq!(files.len(), 2 * 168, "{:?}", here.files());
     for (name, bytes) in files.iter().filter(|(name, _)| name.starts_with("whole")) {
         let other = name.replace("whole", "halves");
         assert!(files.get(&other) == Some(bytes), "{name} and {other}");
@@ -260,16 +279,93 @@ fn another_run_is_not_gone_on_with() {
 
 #[cfg(unix)]
 #[test]
-fn frames_that_have_been_removed_meanwhile_are_made_again() {
+fn frames_that_have_been_lost_or_changed_meanwhile_are_made_again() {
+    let output = ["-o", "all", "--stats", "s.csv"];
+    let expected = whole(&output);
+    for damage in ["removed", "emptied", "changed"] {
+        let here = workshop();
+        let mut arguments = render(&output);
+        let ended = stop(&here, &arguments, "-INT", Some("all/frame-0006.png"));
+        assert_eq!(ended.code, 130, "{}", ended.stderr);
+        let frame = here.path("all/frame-0002.png");
+        match damage {
+            "removed" => std::fs::remove_file(frame).expect("it was there"),
+            "emptied" => here.write("all/frame-0002.png", ""),
+            _ => here.write("all/frame-0002.png", here.read("all/frame-0003.png")),
+        }
+        arguments.push("--resume");
+        let ended = here.run(&arguments);
+        assert_eq!(ended.code, 0, "{}", ended.stderr);
+        assert!(files_of(&here) == expected, "{damage}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_late_frame_is_gone_on_to_from_the_state_that_was_kept() {
+    let output = ["-o", "late.png", "--frame", "3000", "--stats", "s.csv"];
     let here = workshop();
-    let mut arguments = render(&["-o", "all", "--stats", "s.csv"]);
-    let ended = stop(&here, &arguments, "-INT", Some("all/frame-0006.png"));
+    let mut arguments = render(&output);
+    arguments.extend(["--resume", "--snapshot-every", "0"]);
+    let watched = ".late.png.3000-3001.resume/state";
+    let ended = stop(&here, &arguments, "-INT", Some(watched));
     assert_eq!(ended.code, 130, "{}", ended.stderr);
-    std::fs::remove_file(here.path("all/frame-0002.png")).expect("it was there");
-    arguments.push("--resume");
+    assert!(
+        ended.stderr.contains("--resume goes on"),
+        "{}",
+        ended.stderr
+    );
     let ended = here.run(&arguments);
     assert_eq!(ended.code, 0, "{}", ended.stderr);
-    assert!(files_of(&here) == whole(&["-o", "all", "--stats", "s.csv"]));
+    let from = "motes: going on from the state after frame ";
+    assert!(ended.stderr.contains(from), "{}", ended.stderr);
+    assert!(files_of(&here) == whole(&output));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_run_is_worked_on_by_one_process_at_a_time() {
+    let here = workshop();
+    let long = ["-o", "late.png", "--frame", "60000", "--resume"];
+    let mut first = start(&here, &render(&long));
+    let journal = here.path(".late.png.60000-60001.resume/journal");
+    for _ in 0..2000 {
+        if journal.exists() {
+            break;
+        }
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    // Locked a moment after it is there.
+    std::thread::sleep(Duration::from_millis(200));
+    let ended = here.run(&render(&long));
+    first.kill().expect("it is ours");
+    first.wait().expect("it has ended");
+    assert_eq!(ended.code, 2, "{}", ended.stderr);
+    assert!(
+        ended.stderr.contains("another process is at work"),
+        "{}",
+        ended.stderr
+    );
+}
+
+#[test]
+fn what_a_killed_run_left_goes_when_it_is_begun_anew() {
+    let here = workshop();
+    let arguments = render(&["-o", "all"]);
+    let mut run = start(&here, &arguments);
+    for _ in 0..2000 {
+        if here.path("all/frame-0003.png").exists() {
+            break;
+        }
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    run.kill().expect("it is ours");
+    // As one that was killed while it wrote.
+    here.write(&format!("all/.motes-{}-7", run.id()), "half");
+    run.wait().expect("it has ended");
+    let ended = here.run(&arguments);
+    assert_eq!(ended.code, 0, "{}", ended.stderr);
+    assert!(files_of(&here) == whole(&["-o", "all"]));
 }
 
 #[test]

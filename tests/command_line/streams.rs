@@ -171,3 +171,47 @@ fn standard_output_that_cannot_be_written_is_told_with_exit_code_3() {
         ended.stderr
     );
 }
+
+#[cfg(target_os = "linux")]
+#[test]
+fn standard_error_that_nobody_reads_stops_nothing() {
+    let here = Workshop::new();
+    let script = |redirected: &str| {
+        let program = env!("CARGO_BIN_EXE_motes");
+        let run = format!("{program} render sparks.toml --adapter cpu -o a.gif {redirected}");
+        let mut shell = std::process::Command::new("bash");
+        shell.args(["-c", &run]).current_dir(here.path(""));
+        shell.output().expect("there is a shell").status.code()
+    };
+    here.render(&["-o", "whole.gif"]);
+    for redirected in [
+        "2>/dev/full",
+        "2>&-",
+        "2> >(true); sleep 0.1; test -e a.gif",
+    ] {
+        assert_eq!(script(redirected), Some(0), "{redirected}");
+        assert!(here.read("a.gif") == here.read("whole.gif"), "{redirected}");
+        std::fs::remove_file(here.path("a.gif")).expect("it was there");
+    }
+    // Nor does it hide an error.
+    assert_eq!(script("--frames 3 2>/dev/full"), Some(2));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_picture_goes_into_a_pipe_that_somebody_reads() {
+    let here = Workshop::new();
+    let script = format!(
+        "mkfifo p.png; (cat p.png >copy.png) & {} render sparks.toml --adapter cpu -o p.png \
+         --frame 5; wait",
+        env!("CARGO_BIN_EXE_motes")
+    );
+    let mut shell = std::process::Command::new("timeout");
+    shell
+        .args(["20", "bash", "-c", &script])
+        .current_dir(here.path(""));
+    let ended = Ended::of(shell.output());
+    assert_eq!(ended.code, 0, "{}", ended.stderr);
+    here.render(&["-o", "file.png", "--frame", "5"]);
+    assert!(here.read("copy.png") == here.read("file.png"));
+}

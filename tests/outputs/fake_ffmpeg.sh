@@ -28,7 +28,16 @@ good)
     complain
     cat >bytes.bin
     complain
-    printf film >"$film"
+    # Three boxes of nothing but their heads, the last two of the longer kind.
+    printf '\000\000\000\010ftyp' >"$film"
+    printf '\000\000\000\001moov\000\000\000\000\000\000\000\020' >>"$film"
+    printf '\000\000\000\000mdat....' >>"$film"
+    ;;
+cut-off)
+    # As of one that finds the disk full when it closes the film.
+    cat >/dev/null
+    printf '\000\000\000\010ftyp\000\000\000\010mdat\000\000\000\020moov' >"$film"
+    echo "Error closing file: No space left on device" >&2
     ;;
 at-once)
     echo "unknown option" >&2

@@ -9,8 +9,8 @@ mod tests;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use super::progress_bar;
 use super::{CliError, print};
+use super::{progress_bar, tell};
 use crate::check::{self, CompareOptions, Outcome, SavedFor, compare, default_frames, shrunk};
 use crate::output::write_whole;
 use crate::plan::Plan;
@@ -87,11 +87,11 @@ pub(super) fn run(args: &CheckArgs) -> Result<u8, CliError> {
 
 /// Checks the scenes and writes the reports; the exit code.
 fn check_all(args: &CheckArgs, jobs: &[Job], tested: Side, against: Side) -> Result<u8, CliError> {
-    eprintln!(
+    tell(&format!(
         "motes: checking {} against {}",
         tested.name(),
         against.name()
-    );
+    ));
     let mut report = Report {
         tested,
         against,
@@ -205,7 +205,9 @@ fn check_scene(args: &CheckArgs, job: &Job, report: &mut Report) -> Result<(), C
         }
     }
     if outcome.most_particles == 0 {
-        eprintln!("motes: no particle of {scene} ever lived: take more --frames");
+        tell(&format!(
+            "motes: no particle of {scene} ever lived: take more --frames"
+        ));
     }
     let checked = Checked {
         scene,

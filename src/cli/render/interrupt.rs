@@ -3,10 +3,20 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
+#[cfg(unix)]
+use signal_hook::consts::SIGHUP;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 
 use crate::cli::CliError;
+
+/// Signals that ask a process to end: from the keyboard, from another, from a closed terminal.
+const SIGNALS: &[i32] = &[
+    SIGINT,
+    SIGTERM,
+    #[cfg(unix)]
+    SIGHUP,
+];
 
 /// Whether and how the process has been asked to stop. The first time it may finish what it is at,
 /// the second time it ends at once.
@@ -19,7 +29,7 @@ impl Interrupt {
     pub(super) fn listen() -> Result<Self, CliError> {
         let signal = Arc::new(AtomicUsize::new(0));
         let asked = Arc::new(AtomicBool::new(false));
-        for one in [SIGINT, SIGTERM] {
+        for &one in SIGNALS {
             // In this order: the first signal finds `asked` false.
             flag::register_conditional_shutdown(one, 128 + one, asked.clone())
                 .and_then(|_| flag::register(one, asked.clone()))

@@ -9,7 +9,7 @@ use super::interrupt::Interrupt;
 use super::journal::{Finished, Journal};
 use super::summary::Summary;
 use crate::backend::BackendError;
-use crate::cli::{CliError, progress_bar};
+use crate::cli::{CliError, progress_bar, tell};
 use crate::output::{
     Drawing, FrameSink, OutputTarget, ParticleRecord, Picture, StatsWriter, Written, dump_path,
     write_particles, write_svg,
@@ -30,6 +30,8 @@ pub(super) enum Pictures {
     Frames(FrameSink),
     /// One frame of lines, in a file.
     Lines(PathBuf),
+    /// Nowhere any more.
+    Done,
 }
 
 /// What is written while frames go by.
@@ -45,6 +47,8 @@ pub(super) struct Job<'a> {
     pub(super) journal: Option<Journal>,
     /// Time between two snapshots in the journal.
     pub(super) snapshot_every: Duration,
+    /// Whether snapshots are kept: until one does not fit on the disk.
+    pub(super) keeps_states: bool,
     pub(super) interrupt: &'a Interrupt,
 }
 
@@ -57,9 +61,20 @@ impl Job<'_> {
         frames: &Range<u32>,
         finished: &Finished,
     ) -> Result<Summary, CliError> {
+        let done = self.render(simulation, scene, frames, finished);
+        done.map_err(|error| self.told(error))
+    }
+
+    fn render(
+        &mut self,
+        simulation: &mut Simulation,
+        scene: &Scene,
+        frames: &Range<u32>,
+        finished: &Finished,
+    ) -> Result<Summary, CliError> {
         let mut summary = Summary::default();
         let next = self.take_over(frames, finished, &mut summary)?;
-        if next == frames.end {
+        if next == frames.end || summary.stopped.is_some() {
             return Ok(summary);
         }
         let first = self.enter(simulation, next, &mut summary)?;
@@ -79,7 +94,10 @@ impl Job<'_> {
             } else if frame % STATISTICS_STEPS == 0 {
                 summary.count(&simulation.take_statistics()?);
             }
-            if snapshot_due <= Instant::now() {
+            // Elsewhere a lifetime of frames, stepped anew, tells the state.
+            let plan = simulation.plan();
+            let is_long = plan.restart_frame(frame.max(0).cast_unsigned()) == plan.first_frame;
+            if is_long && snapshot_due <= Instant::now() {
                 let begun = Instant::now();
                 self.keep_state(simulation, &mut summary)?;
                 let rest = begun.elapsed() * SNAPSHOT_SHARE;
@@ -94,11 +112,11 @@ impl Job<'_> {
 
     /// Puts the state into the journal, if there is one, and room for it.
     fn keep_state(
-        &self,
+        &mut self,
         simulation: &mut Simulation,
         summary: &mut Summary,
     ) -> Result<(), CliError> {
-        let Some(journal) = &self.journal else {
+        let Some(journal) = self.journal.as_mut().filter(|_| self.keeps_states) else {
             return Ok(());
         };
         let snapshot = match simulation.snapshot() {
@@ -107,10 +125,16 @@ impl Job<'_> {
             snapshot => snapshot?,
         };
         summary.count(&simulation.take_statistics()?);
-        match snapshot {
-            Some(snapshot) => journal.keep_state(&snapshot, summary.dropped),
-            None => Ok(()),
+        if let Some(snapshot) = snapshot
+            && let Err(error) = journal.keep_state(&snapshot, summary.dropped)
+        {
+            self.keeps_states = false;
+            let why = error.message.trim_start_matches("error: ");
+            tell(&format!(
+                "motes: no more snapshots of the state are kept: {why}"
+            ));
         }
+        Ok(())
     }
 
     /// Takes over what a stopped run had finished; the first frame that is left to do.
@@ -121,23 +145,23 @@ impl Job<'_> {
         summary: &mut Summary,
     ) -> Result<u32, CliError> {
         for frame in frames.clone() {
-            let Some(rows) = finished.frames.get(&frame) else {
+            if let Some(code) = self.interrupt.exit_code() {
+                summary.stopped = Some((frame, code));
+                return Ok(frame);
+            }
+            let Some(rows) = finished.rows(frame, &self.files_of(frame)) else {
                 return Ok(frame);
             };
-            if !self.files_of(frame).iter().all(|path| path.exists()) {
-                return Ok(frame);
+            if let (Pictures::Frames(sink), Some(journal)) = (&mut self.pictures, &self.journal)
+                && self.target.is_animation()
+            {
+                let Some(image) = journal.kept(frame) else {
+                    return Ok(frame);
+                };
+                sink.write_frame(frame, &image)?;
             }
-            match (&mut self.pictures, &self.journal) {
-                (Pictures::Frames(sink), Some(journal)) if self.target.is_animation() => {
-                    let Some(image) = journal.kept(frame) else {
-                        return Ok(frame);
-                    };
-                    let picture = Picture::Bytes(image);
-                    summary.look_at(&picture);
-                    sink.write_frame(frame, &picture)?;
-                }
-                _ => summary.lit = true,
-            }
+            // Whoever made it has seen to that.
+            summary.lit = true;
             if let Some(stats) = &mut self.stats {
                 for row in rows {
                     stats.line(row)?;
@@ -147,13 +171,14 @@ impl Job<'_> {
         Ok(frames.end)
     }
 
-    /// The files that a frame has to itself.
+    /// The files that a frame has to itself, in the journal if all frames share one.
     fn files_of(&self, frame: u32) -> Vec<PathBuf> {
         let layers = self.layers.iter();
         let layers = layers.filter_map(|layer| self.target.layer_path(frame, layer));
         let mut files: Vec<PathBuf> = layers.collect();
-        if !self.target.is_animation() {
-            files.push(self.target.frame_path(frame));
+        match &self.journal {
+            Some(journal) if self.target.is_animation() => files.push(journal.kept_frame(frame)),
+            _ => files.push(self.target.frame_path(frame)),
         }
         if self.dumps.contains(&frame) {
             files.push(dump_path(self.dump_dir, "particles", frame));
@@ -176,7 +201,11 @@ impl Job<'_> {
             && simulation.restore(&state).is_ok()
         {
             summary.dropped = dropped;
-            return Ok(state.frame() + 1);
+            let frame = state.frame();
+            tell(&format!(
+                "motes: going on from the state after frame {frame}"
+            ));
+            return Ok(frame + 1);
         }
         simulation.begin_at(first);
         Ok(first)
@@ -224,6 +253,7 @@ impl Job<'_> {
                 };
                 write_svg(path, &drawing)?;
             }
+            Pictures::Done => {}
         }
         if self.dumps.contains(&frame) {
             let records: Vec<ParticleRecord> = simulation
@@ -254,26 +284,41 @@ impl Job<'_> {
         } else if frame.cast_signed() % STATISTICS_STEPS == 0 {
             summary.count(&simulation.take_statistics()?);
         }
+        let files = self.files_of(frame);
         match &mut self.journal {
-            Some(journal) => journal.frame_done(frame, &rows),
+            Some(journal) => journal.frame_done(frame, &files, &rows),
             None => Ok(()),
         }
     }
 
     /// Whether a run that ends here can go on.
     pub(super) fn can_go_on(&self) -> bool {
-        self.journal.as_ref().is_some_and(Journal::has_frames)
+        let journal = self.journal.as_ref();
+        journal.is_some_and(|journal| !journal.is_empty())
+    }
+
+    /// The error, and how to go on after it.
+    fn told(&self, mut error: CliError) -> CliError {
+        if self.can_go_on() {
+            error.message += "\n  = help: finished frames stay; the same command with --resume \
+                              goes on after them";
+        }
+        error
     }
 
     /// Puts all files in their places.
-    pub(super) fn finish(self) -> Result<Written, CliError> {
-        let written = match self.pictures {
-            Pictures::Frames(sink) => sink.finish()?,
-            Pictures::Lines(_) => Written::default(),
+    pub(super) fn finish(mut self) -> Result<Written, CliError> {
+        let pictures = std::mem::replace(&mut self.pictures, Pictures::Done);
+        let written = match pictures {
+            Pictures::Frames(sink) => sink.finish(),
+            Pictures::Lines(_) | Pictures::Done => Ok(Written::default()),
         };
-        if let Some(stats) = self.stats {
-            stats.finish()?;
-        }
+        let stats = self.stats.take();
+        let finished = written.and_then(|written| {
+            stats.map_or(Ok(()), StatsWriter::finish)?;
+            Ok(written)
+        });
+        let written = finished.map_err(|error| self.told(error.into()))?;
         if let Some(journal) = self.journal {
             journal.remove();
         }

@@ -1,42 +1,51 @@
 //! What a run has finished, kept so that a stopped one can go on.
 //!
-//! A hidden folder beside the output holds `journal`, a line for each finished frame, written when
-//! all files of the frame stand in their places; for animations, the frames themselves; and `state`,
-//! a snapshot, from time to time. It goes when the run is complete. A line that a killed process has
-//! not ended is not believed.
+//! A hidden folder beside the output holds `journal`, with a line for each finished frame, written
+//! when all files of the frame stand in their places; for animations, the frames themselves; and
+//! `state`, a snapshot, from time to time. It goes when the run is complete. A line that a killed
+//! process has not ended is not believed, nor one whose files have changed since. The journal is
+//! locked by whoever works on the run.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use std::fs::{self, File, OpenOptions};
-use std::io::Write as _;
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{Read, Seek, SeekFrom, Write as _};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use crate::cli::CliError;
-use crate::output::{
-    AtomicFile, OutputError, OutputTarget, Rgba8Image, create_folder, read_png, write_png,
-    write_whole,
-};
+use crate::output::{AtomicFile, OutputError, OutputTarget, Rgba8Image, read_png, write_png};
 use crate::simulation::Snapshot;
 
 /// The first line of a journal.
 const FIRST_LINE: &str = "motes journal 1";
 
+/// What a journal is called in its folder.
+const NAME: &str = "journal";
+
 /// A journal being kept.
 pub(super) struct Journal {
     folder: PathBuf,
     file: File,
-    /// Whether a frame is finished, so that there is something to go on from.
-    has_frames: bool,
+    /// Whether this run began it and has put nothing into it that is worth keeping.
+    is_empty: bool,
 }
 
 /// What a stopped run had finished.
 #[derive(Default)]
 pub(super) struct Finished {
-    /// Rows of statistics by finished frame; none where none were asked for.
-    pub(super) frames: BTreeMap<u32, Vec<String>>,
+    /// By frame.
+    frames: BTreeMap<u32, Done>,
     /// Processes that worked on it.
     processes: Vec<u32>,
+}
+
+/// What is known of a finished frame.
+struct Done {
+    /// Length and digest of each of its files, in order.
+    files: String,
+    /// Its rows of statistics; none where none were asked for.
+    rows: Vec<String>,
 }
 
 /// The folder of the journal of such a run; `None` where the output is a device or a pipe.
@@ -48,115 +57,155 @@ pub(super) fn place(target: &OutputTarget, frames: &Range<u32>) -> Option<PathBu
     (!is_special).then(|| folder.join(format!(".{name}.{start}-{end}.resume")))
 }
 
-/// A number that tells runs apart by all that decides their files.
-pub(super) fn identity(text: &str) -> u64 {
-    // FNV-1a: the same in every version of the program and on every machine.
-    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+/// A number that tells texts apart: FNV-1a, the same in every version of the program.
+pub(super) fn digest_of(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3)
     })
 }
 
+/// Lengths and digests of the files, as a line of the journal has them; `None` where one cannot be
+/// read.
+fn files_as_they_are(files: &[PathBuf]) -> Option<String> {
+    let of = |path: &PathBuf| {
+        let bytes = fs::read(path).ok()?;
+        Some(format!("{}:{:016x}", bytes.len(), digest_of(&bytes)))
+    };
+    let all: Option<Vec<String>> = files.iter().map(of).collect();
+    Some(all?.join(" "))
+}
+
 impl Journal {
+    /// Opens and locks the journal in the folder, which is made if it is not there; what it says.
+    fn open(folder: &Path) -> Result<(File, String), CliError> {
+        let path = folder.join(NAME);
+        let failed = |attempt: &str, error| OutputError::io(&path, attempt, error);
+        fs::create_dir_all(folder)
+            .map_err(|e| OutputError::io(folder, "keep a journal in the folder", e))?;
+        let mut file = OpenOptions::new()
+            .read(true)
+            .write(true)
+            .create(true)
+            .truncate(false)
+            .open(&path)
+            .map_err(|e| failed("open", e))?;
+        match file.try_lock() {
+            Ok(()) => {}
+            Err(TryLockError::WouldBlock) => {
+                return Err(CliError::usage(
+                    format!("another process is at work on this ({})", folder.display()),
+                    "wait for it or stop it, or render to another place",
+                ));
+            }
+            // Some file systems know no locks: then the user sees to it.
+            Err(TryLockError::Error(_)) => {}
+        }
+        let mut text = Vec::new();
+        file.read_to_end(&mut text).map_err(|e| failed("read", e))?;
+        Ok((file, String::from_utf8_lossy(&text).into_owned()))
+    }
+
     /// Begins a journal, in place of any that there is.
-    pub(super) fn begin(folder: &Path, identity: u64) -> Result<Self, CliError> {
-        if folder.exists() {
-            fs::remove_dir_all(folder)
-                .map_err(|e| OutputError::io(folder, "remove what an older run left", e))?;
+    pub(super) fn begin(folder: &Path, identity: u64, outputs: &[&Path]) -> Result<Self, CliError> {
+        let (file, text) = Self::open(folder)?;
+        Finished::of(&text).sweep(outputs, folder);
+        let mut journal = Self {
+            folder: folder.to_owned(),
+            file,
+            is_empty: true,
+        };
+        journal.cut_off(0)?;
+        for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+            if entry.file_name() != NAME {
+                // What stays is written over, or of no use.
+                let _ = fs::remove_file(entry.path());
+            }
         }
-        if let Some(parent) = folder.parent().filter(|it| !it.as_os_str().is_empty()) {
-            create_folder(parent)?;
-        }
-        let path = folder.join("journal");
-        let head = format!("{FIRST_LINE}\nrender {identity:016x}\n");
-        write_whole(&path, head.as_bytes())?;
-        Self::go_on(folder)
+        journal.line(&format!("{FIRST_LINE}\nrender {identity:016x}"))?;
+        journal.line(&format!("process {}", std::process::id()))?;
+        Ok(journal)
     }
 
     /// Opens the journal that a stopped run has left; `None` where there is none.
     pub(super) fn resume(
         folder: &Path,
         identity: u64,
+        outputs: &[&Path],
     ) -> Result<Option<(Self, Finished)>, CliError> {
-        let path = folder.join("journal");
-        let mut text = match fs::read_to_string(&path) {
-            Ok(text) => text,
-            Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(None),
-            Err(e) => return Err(OutputError::io(&path, "read", e).into()),
-        };
+        if !folder.join(NAME).is_file() {
+            return Ok(None);
+        }
+        let (file, text) = Self::open(folder)?;
         let whole = text.rfind('\n').map_or(0, |end| end + 1);
-        text.truncate(whole);
-        let mut lines = text.lines();
+        let mut lines = text[..whole].lines();
         let head = (lines.next(), lines.next());
+        if !matches!(head, (Some(_), Some(_))) {
+            // Its beginning was not even written.
+            drop(file);
+            return Ok(None);
+        }
         let expected = format!("render {identity:016x}");
         if head != (Some(FIRST_LINE), Some(expected.as_str())) {
             return Err(CliError::usage(
                 format!(
-                    "{} is of another run: its scene, size, seed, changes or outputs were not these",
+                    "{} is of another run: its scene, size, seed, changes or outputs were not \
+                     these, or it was made by another version",
                     folder.display()
                 ),
                 "repeat the command as it was, or leave out --resume to begin anew",
             ));
         }
-        let mut finished = Finished::default();
-        for line in lines {
-            let mut parts = line.split('\t');
-            match parts.next().and_then(|first| first.split_once(' ')) {
-                Some(("frame", number)) => {
-                    let rows = parts.map(str::to_owned).collect();
-                    finished
-                        .frames
-                        .extend(number.parse().ok().map(|frame: u32| (frame, rows)));
-                }
-                Some(("process", number)) => finished.processes.extend(number.parse::<u32>().ok()),
-                _ => {}
-            }
-        }
-        // What a killed process has begun is cut off, or the next line would be joined to it.
-        write_whole(&path, text.as_bytes())?;
-        let mut journal = Self::go_on(folder)?;
-        journal.has_frames = !finished.frames.is_empty();
-        Ok(Some((journal, finished)))
-    }
-
-    fn go_on(folder: &Path) -> Result<Self, CliError> {
-        let path = folder.join("journal");
-        let file = OpenOptions::new()
-            .append(true)
-            .open(&path)
-            .map_err(|e| OutputError::io(&path, "open", e))?;
+        let finished = Finished::of(&text[..whole]);
+        finished.sweep(outputs, folder);
         let mut journal = Self {
             folder: folder.to_owned(),
             file,
-            has_frames: false,
+            is_empty: false,
         };
+        // What a killed process has begun is cut off, or the next line would be joined to it.
+        journal.cut_off(whole as u64)?;
         journal.line(&format!("process {}", std::process::id()))?;
-        Ok(journal)
+        Ok(Some((journal, finished)))
+    }
+
+    fn cut_off(&mut self, len: u64) -> Result<(), CliError> {
+        let cut = self.file.set_len(len);
+        cut.and_then(|()| self.file.seek(SeekFrom::Start(len)))
+            .map_err(|e| OutputError::io(&self.folder.join(NAME), "write", e))?;
+        Ok(())
     }
 
     fn line(&mut self, line: &str) -> Result<(), CliError> {
-        let path = self.folder.join("journal");
         self.file
             .write_all(format!("{line}\n").as_bytes())
-            .map_err(|e| OutputError::io(&path, "write", e).into())
+            .map_err(|e| OutputError::io(&self.folder.join(NAME), "write", e).into())
     }
 
     /// Notes that all files of a frame stand in their places.
-    pub(super) fn frame_done(&mut self, frame: u32, rows: &[String]) -> Result<(), CliError> {
-        let line = rows.iter().fold(format!("frame {frame}"), |mut line, row| {
+    pub(super) fn frame_done(
+        &mut self,
+        frame: u32,
+        files: &[PathBuf],
+        rows: &[String],
+    ) -> Result<(), CliError> {
+        // One that cannot be read back is made again.
+        let files = files_as_they_are(files).unwrap_or_else(|| "unread".into());
+        let mut line = format!("frame {frame} {files}");
+        for row in rows {
             // Writing to a text cannot fail.
             let _ = write!(line, "\t{row}");
-            line
-        });
-        self.has_frames = true;
+        }
+        self.is_empty = false;
         self.line(&line)
     }
 
     /// Whether there is anything to go on from.
-    pub(super) fn has_frames(&self) -> bool {
-        self.has_frames
+    pub(super) fn is_empty(&self) -> bool {
+        self.is_empty
     }
 
-    fn kept_frame(&self, frame: u32) -> PathBuf {
+    /// Where a frame of an animation is kept.
+    pub(super) fn kept_frame(&self, frame: u32) -> PathBuf {
         self.folder.join(format!("frame-{frame:04}.png"))
     }
 
@@ -171,12 +220,14 @@ impl Journal {
     }
 
     /// Keeps the state, and how many births have been dropped up to it.
-    pub(super) fn keep_state(&self, snapshot: &Snapshot, dropped: u64) -> Result<(), CliError> {
+    pub(super) fn keep_state(&mut self, snapshot: &Snapshot, dropped: u64) -> Result<(), CliError> {
         let mut file = AtomicFile::create(&self.folder.join("state"))?;
         file.write_all(&dropped.to_le_bytes())
             .and_then(|()| snapshot.write_to(&mut file))
             .map_err(|error| file.error(error))?;
-        Ok(file.commit()?)
+        file.commit()?;
+        self.is_empty = false;
+        Ok(())
     }
 
     /// The state that was kept last; `None` where there is none, or it is damaged.
@@ -189,13 +240,13 @@ impl Journal {
 
     /// The run is complete: nothing is left to go on from.
     pub(super) fn remove(mut self) {
-        self.has_frames = false;
+        self.is_empty = true;
     }
 }
 
 impl Drop for Journal {
     fn drop(&mut self) {
-        if !self.has_frames {
+        if self.is_empty {
             // It is hidden, and a later run that finds it begins anew: that it stays harms nothing.
             let _ = fs::remove_dir_all(&self.folder);
         }
@@ -203,15 +254,55 @@ impl Drop for Journal {
 }
 
 impl Finished {
-    /// Removes what the killed processes of this run had begun to write in these folders.
-    pub(super) fn sweep<'a>(&self, folders: impl Iterator<Item = &'a Path>) {
-        // Numbers of processes are given again.
-        let is_over = |process: &&u32| {
-            **process != std::process::id()
-                && !Path::new("/proc").join(process.to_string()).exists()
+    /// What the whole lines of a journal say.
+    fn of(text: &str) -> Self {
+        let mut finished = Self::default();
+        for line in text.lines() {
+            let mut parts = line.split('\t');
+            let words = parts.next().and_then(|first| first.split_once(' '));
+            match words {
+                Some(("frame", about)) => {
+                    let (number, files) = about.split_once(' ').unwrap_or((about, ""));
+                    if let Ok(frame) = number.parse() {
+                        let done = Done {
+                            files: files.to_owned(),
+                            rows: parts.map(str::to_owned).collect(),
+                        };
+                        finished.frames.insert(frame, done);
+                    }
+                }
+                Some(("process", number)) => finished.processes.extend(number.parse::<u32>().ok()),
+                _ => {}
+            }
+        }
+        finished
+    }
+
+    /// How many frames are finished.
+    pub(super) fn count(&self) -> usize {
+        self.frames.len()
+    }
+
+    /// Whether a frame was finished, whatever has become of it.
+    pub(super) fn has(&self, frame: u32) -> bool {
+        self.frames.contains_key(&frame)
+    }
+
+    /// The rows of a finished frame whose files are as they were; `None` for any other.
+    pub(super) fn rows(&self, frame: u32, files: &[PathBuf]) -> Option<&[String]> {
+        let done = self.frames.get(&frame)?;
+        (files_as_they_are(files)? == done.files).then_some(&done.rows)
+    }
+
+    /// Removes what killed processes of this run had begun to write in these folders. To be called
+    /// before this process writes anything: numbers of processes are given again.
+    fn sweep(&self, outputs: &[&Path], journal: &Path) {
+        let own = std::process::id();
+        let is_over = |process: &u32| {
+            *process == own || !Path::new("/proc").join(process.to_string()).exists()
         };
-        let over: Vec<_> = self.processes.iter().filter(is_over).collect();
-        for folder in folders {
+        let over: Vec<u32> = self.processes.iter().copied().filter(is_over).collect();
+        for folder in outputs.iter().copied().chain([journal]) {
             let folder = match folder.as_os_str().is_empty() {
                 true => Path::new("."),
                 false => folder,
@@ -219,7 +310,7 @@ impl Finished {
             // A folder that cannot be read has nothing that could be removed.
             for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
                 let name = entry.file_name();
-                let is_theirs = |process: &&u32| {
+                let is_theirs = |process: &u32| {
                     let begun = format!(".motes-{process}-");
                     name.to_str().is_some_and(|name| name.starts_with(&begun))
                 };

@@ -12,11 +12,12 @@ mod summary;
 mod tests;
 
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::{Duration, Instant};
 
-use super::CliError;
-use crate::output::{FrameSink, OutputTarget, StatsWriter};
+use super::{CliError, tell};
+use crate::gpu::shader::sources;
+use crate::output::{FrameSink, OutputTarget, StatsWriter, dump_path, probe};
 use crate::scene::Scene;
 use crate::simulation::{self, AdapterChoice, Options, Simulation};
 use interrupt::Interrupt;
@@ -59,8 +60,17 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
     let (journal, finished) = kept.map_or((None, Finished::default()), |(journal, finished)| {
         (Some(journal), finished)
     });
+    if args.no_clobber {
+        request::refuse_to_replace(&args, &request, &finished)?;
+    }
+    for frame in &args.dump {
+        probe(&dump_path(&request.dump_dir, "particles", *frame))?;
+    }
     let pictures = match target {
-        OutputTarget::Svg(path) => Pictures::Lines(path.clone()),
+        OutputTarget::Svg(path) => {
+            probe(path)?;
+            Pictures::Lines(path.clone())
+        }
         target => Pictures::Frames(FrameSink::open(
             target,
             scene.image.width,
@@ -82,34 +92,32 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
         dump_dir: &request.dump_dir,
         journal,
         snapshot_every: Duration::from_secs_f64(args.snapshot_every),
+        keeps_states: true,
         interrupt: &interrupt,
     };
-    let summary = job
-        .run(&mut simulation, scene, frames, &finished)
-        .map_err(|mut error| {
-            if job.can_go_on() {
-                error.message += "\n  = help: finished frames stay; the same command with --resume goes on after them";
-            }
-            error
-        })?;
+    let summary = job.run(&mut simulation, scene, frames, &finished)?;
     if let Some((next, code)) = summary.stopped {
         let Range { start, end } = frames;
-        eprintln!("motes: stopped before frame {next} of {start}..{end}");
+        tell(&format!(
+            "motes: stopped before frame {next} of {start}..{end}"
+        ));
         if job.can_go_on() {
-            eprintln!("motes: the same command with --resume goes on from there");
+            tell("motes: the same command with --resume goes on from there");
         } else {
-            eprintln!(
-                "motes: nothing is kept of it; with --resume from the beginning, frames are kept to go on from"
-            );
+            let how = match job.journal {
+                Some(_) => "no frame was finished",
+                None => "with --resume from the beginning, frames are kept to go on from",
+            };
+            tell(&format!("motes: nothing is kept of it: {how}"));
         }
         return Ok(code);
     }
     let written = job.finish()?;
     if written.left_out > 0 {
-        eprintln!(
+        tell(&format!(
             "motes: {} frames were left out to keep the animation's speed: a GIF shows at most 50 a second",
             written.left_out
-        );
+        ));
     }
     say_what_went_wrong(&summary, &simulation);
     // As it was asked for: a pattern's own path would be that of frame 0, drawn or not.
@@ -121,10 +129,10 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
         count => format!("{count} frames"),
     };
     let secs = begun.elapsed().as_secs_f64();
-    eprintln!(
+    tell(&format!(
         "motes: wrote {place}: {count} of {}x{} pixels in {secs:.1} s",
         scene.image.width, scene.image.height
-    );
+    ));
     Ok(0)
 }
 
@@ -138,6 +146,10 @@ fn identity(args: &RenderArgs, request: &Request, simulation: &Simulation) -> u6
         recording,
         ..
     } = request;
+    // Whatever changes the bits of a picture changes its kernels.
+    let kernels = sources::KERNELS.iter().chain(sources::LIBRARIES);
+    let kernels: String = kernels.map(|source| source.text).collect();
+    let kernels = journal::digest_of(kernels.as_bytes());
     let version = env!("CARGO_PKG_VERSION");
     let outputs = (
         frames,
@@ -149,9 +161,8 @@ fn identity(args: &RenderArgs, request: &Request, simulation: &Simulation) -> u6
     );
     // All exact adapters make the same files.
     let adapter = (!simulation.is_exact()).then(|| simulation.adapter_name());
-    journal::identity(&format!(
-        "{version} {scene:?} {recording:?} {outputs:?} {adapter:?}"
-    ))
+    let all = format!("{version} {kernels} {scene:?} {recording:?} {outputs:?} {adapter:?}");
+    journal::digest_of(all.as_bytes())
 }
 
 /// The run's journal: a new one, or that of a stopped run to go on from. `None` where the output is
@@ -174,26 +185,19 @@ fn journal(
         return Ok(None);
     };
     let identity = identity(args, request, simulation);
+    let (pictures_folder, _) = request.target.folder_and_name();
+    let stats_folder = args.stats.as_deref().and_then(Path::parent);
+    let mut outputs = vec![pictures_folder.as_path(), &request.dump_dir];
+    outputs.extend(stats_folder);
     if args.resume
-        && let Some((journal, finished)) = Journal::resume(&folder, identity)?
+        && let Some((journal, finished)) = Journal::resume(&folder, identity, &outputs)?
     {
-        let stats_folder = args.stats.as_deref().and_then(Path::parent);
-        let (pictures_folder, _) = request.target.folder_and_name();
-        let folders = [&pictures_folder, &request.dump_dir, &folder];
-        finished.sweep(
-            folders
-                .into_iter()
-                .map(PathBuf::as_path)
-                .chain(stats_folder),
-        );
-        let count = finished.frames.len();
-        eprintln!("motes: going on after {count} finished frames");
+        let count = finished.count();
+        tell(&format!("motes: going on after {count} finished frames"));
         return Ok(Some((journal, finished)));
     }
-    Ok(Some((
-        Journal::begin(&folder, identity)?,
-        Finished::default(),
-    )))
+    let journal = Journal::begin(&folder, identity, &outputs)?;
+    Ok(Some((journal, Finished::default())))
 }
 
 fn say_where(args: &RenderArgs, simulation: &Simulation, scene: &Scene) {
@@ -204,33 +208,35 @@ fn say_where(args: &RenderArgs, simulation: &Simulation, scene: &Scene) {
         } else {
             "no graphics adapter here has room for this scene"
         };
-        eprintln!("motes: {why}; the processor makes the same bits");
+        tell(&format!("motes: {why}; the processor makes the same bits"));
     }
-    eprintln!("motes: {} on {adapter}", scene.name);
+    tell(&format!("motes: {} on {adapter}", scene.name));
 }
 
 /// What is asked for beyond an end, and is therefore not what it may seem.
 fn say_what_is_beyond(request: &Request) {
     let (end, lasts) = (request.frames.end, request.scene.frames);
     if end > lasts {
-        eprintln!("motes: the scene lasts {lasts} frames; those after show how it goes on");
+        tell(&format!(
+            "motes: the scene lasts {lasts} frames; those after show how it goes on"
+        ));
     }
     let late = request.recording.changes.iter().find(|it| it.frame >= end);
     if let Some(change) = late {
-        eprintln!(
+        tell(&format!(
             "motes: changes from frame {} on come too late for frames up to {end}",
             change.frame
-        );
+        ));
     }
 }
 
 fn say_what_went_wrong(summary: &Summary, simulation: &Simulation) {
     if summary.dropped > 0 {
-        eprintln!(
+        tell(&format!(
             "motes: {} births were dropped for want of room; raise the scene's `capacity` ({})",
             summary.dropped,
             simulation.plan().capacity
-        );
+        ));
     }
     if !summary.lit {
         let why = match summary.most_live {
@@ -239,6 +245,8 @@ fn say_what_went_wrong(summary: &Summary, simulation: &Simulation) {
                 "up to {live} particles were alive, but dark, too small or out of the camera's sight"
             ),
         };
-        eprintln!("motes: there is nothing to see in these pictures: {why}");
+        tell(&format!(
+            "motes: there is nothing to see in these pictures: {why}"
+        ));
     }
 }

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use super::args::{MOST_FRAMES, RenderArgs};
 use super::collisions;
+use super::journal::Finished;
 use crate::cli::CliError;
 use crate::output::{OutputTarget, dump_path};
 use crate::plan::Turn;
@@ -86,20 +87,6 @@ pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
             "pick one with --frame",
         ));
     }
-    if args.no_clobber && !args.resume {
-        let pictures = frames.clone().map(|frame| target.frame_path(frame));
-        let dumps = args
-            .dump
-            .iter()
-            .map(|frame| dump_path(&dump_dir, "particles", *frame));
-        let mut files = pictures.chain(args.stats.clone()).chain(dumps);
-        if let Some(file) = files.find(|file| file.is_file()) {
-            return Err(CliError::usage(
-                format!("{} is there already", file.display()),
-                "name another place, or leave out --no-clobber to write over it",
-            ));
-        }
-    }
     let (recording, turns) = match &args.inputs {
         Some(path) => {
             let recording = recording_of(path)?;
@@ -117,6 +104,40 @@ pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
         recording,
         turns,
     })
+}
+
+/// Refuses to write over files that are there and that this run has not `finished` before.
+pub(super) fn refuse_to_replace(
+    args: &RenderArgs,
+    request: &Request,
+    finished: &Finished,
+) -> Result<(), CliError> {
+    let target = &request.target;
+    let layers = if args.layers {
+        request.scene.layer_names()
+    } else {
+        Vec::new()
+    };
+    let of_frame = |frame: u32| {
+        let layers = layers.iter();
+        let layers = layers.filter_map(move |layer| target.layer_path(frame, layer));
+        layers.chain([target.frame_path(frame)])
+    };
+    let dump = |frame: &u32| dump_path(&request.dump_dir, "particles", *frame);
+    let is_new = |frame: &u32| target.is_animation() || !finished.has(*frame);
+    let frames = request.frames.clone().filter(is_new);
+    let dumps = args.dump.iter().filter(|frame| !finished.has(**frame));
+    let mut files = frames
+        .flat_map(of_frame)
+        .chain(dumps.map(dump))
+        .chain(args.stats.clone());
+    match files.find(|file| file.is_file()) {
+        None => Ok(()),
+        Some(file) => Err(CliError::usage(
+            format!("{} is there already", file.display()),
+            "name another place, or leave out --no-clobber to write over it",
+        )),
+    }
 }
 
 fn recording_of(path: &Path) -> Result<Recording, CliError> {

@@ -107,9 +107,9 @@ fn render(
     let target = OutputTarget::parse(&folder.join(out).display().to_string())?;
     let interrupt = Interrupt::listen()?;
     let place = folder.join(".journal");
-    let (journal, finished) = match Journal::resume(&place, 1)? {
+    let (journal, finished) = match Journal::resume(&place, 1, &[folder])? {
         Some(found) => found,
-        None => (Journal::begin(&place, 1)?, Finished::default()),
+        None => (Journal::begin(&place, 1, &[folder])?, Finished::default()),
     };
     let sink = FrameSink::open(&target, 64, 36, 24.0, FRAMES)?;
     let mut job = Job {
@@ -121,6 +121,7 @@ fn render(
         dump_dir: folder,
         journal: Some(journal),
         snapshot_every: Duration::ZERO,
+        keeps_states: true,
         interrupt: &interrupt,
     };
     let summary = job.run(&mut simulation, &scene, &(0..FRAMES), &finished)?;

@@ -116,6 +116,15 @@ impl Ffmpeg {
         }
     }
 
+    /// What it said last, to be put behind a sentence; nothing if it said nothing.
+    pub(super) fn last_words(&mut self) -> String {
+        let lines = self.words.last_lines();
+        if lines.is_empty() {
+            return String::new();
+        }
+        format!(", and it said at last:\n  {}", lines.join("\n  "))
+    }
+
     fn failure(&mut self, how: String) -> Failure {
         self.kill();
         Failure::Failed {

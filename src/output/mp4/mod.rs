@@ -4,10 +4,10 @@
 //! when it has ended well. Threads are a fixed number and no date is kept, so that one build of ffmpeg and x264 makes
 //! the same bytes again.
 
+mod boxes;
 mod ffmpeg;
 
 use std::ffi::OsString;
-use std::fs;
 use std::path::Path;
 
 use self::ffmpeg::{Failure, Ffmpeg};
@@ -88,12 +88,16 @@ impl Mp4Writer {
         }
         let finished = self.ffmpeg.finish();
         finished.map_err(|failure| told(path, failure))?;
-        let is_there = |hidden| fs::metadata(hidden).is_ok_and(|file| file.len() > 0);
-        if !self.file.hidden_path().is_some_and(is_there) {
+        // Some end well though the disk is full.
+        let hidden = self.file.hidden_path();
+        if !hidden.is_some_and(|hidden| boxes::is_whole(hidden).unwrap_or(false)) {
             return Err(OutputError::machine(
                 path,
-                "ffmpeg ended well but wrote nothing",
-                "see whether the `ffmpeg` on the PATH is one",
+                format!(
+                    "ffmpeg ended well, but the film is not whole{}",
+                    self.ffmpeg.last_words()
+                ),
+                "make room if the disk is full; else see whether the `ffmpeg` on the PATH is one",
             ));
         }
         self.file.commit()
@@ -103,7 +107,14 @@ impl Mp4Writer {
 /// All arguments but the file to write, which comes last.
 fn arguments(width: u32, height: u32, frame_rate: f64) -> Vec<OsString> {
     let (size, rate) = (format!("{width}x{height}"), frame_rate.to_string());
-    let quiet = ["-hide_banner", "-nostdin", "-nostats", "-loglevel", "error"];
+    let quiet = [
+        "-hide_banner",
+        "-nostdin",
+        "-nostats",
+        "-loglevel",
+        "error",
+        "-xerror",
+    ];
     let frames_in = [
         "-f",
         "rawvideo",
