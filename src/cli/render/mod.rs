@@ -11,10 +11,10 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use super::CliError;
+use super::{CliError, note};
 use crate::output::{FrameSink, OutputTarget, StatsWriter};
 use crate::scene::Scene;
-use crate::simulation::{self, AdapterChoice, Options, Simulation};
+use crate::simulation::{self, AdapterChoice, Options, Simulation, SimulationError};
 use interrupt::Interrupt;
 use job::{Job, Pictures, Summary};
 use journal::{Finished, Journal};
@@ -41,7 +41,11 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
             turns: request.turns.clone(),
             ..Options::default()
         },
-    )?;
+    )
+    .map_err(|error| match error {
+        SimulationError::Plan(error) => CliError::of_plan(&error, &args.scene),
+        error => error.into(),
+    })?;
     say_where(&args, &simulation, scene);
     say_what_is_beyond(&request);
     // First of all outputs, so that it knows who began what is left of them.
@@ -89,11 +93,11 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
         })?;
     if let Some((next, code)) = summary.stopped {
         let Range { start, end } = frames;
-        eprintln!("motes: stopped before frame {next} of {start}..{end}");
+        note!("motes: stopped before frame {next} of {start}..{end}");
         if job.can_go_on() {
-            eprintln!("motes: the same command with --resume goes on from there");
+            note!("motes: the same command with --resume goes on from there");
         } else {
-            eprintln!(
+            note!(
                 "motes: nothing is kept of it; with --resume from the beginning, frames are kept to go on from"
             );
         }
@@ -101,7 +105,7 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
     }
     let written = job.finish()?;
     if written.left_out > 0 {
-        eprintln!(
+        note!(
             "motes: {} frames were left out to keep the animation's speed: a GIF shows at most 50 a second",
             written.left_out
         );
@@ -116,9 +120,10 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
         count => format!("{count} frames"),
     };
     let secs = begun.elapsed().as_secs_f64();
-    eprintln!(
+    note!(
         "motes: wrote {place}: {count} of {}x{} pixels in {secs:.1} s",
-        scene.image.width, scene.image.height
+        scene.image.width,
+        scene.image.height
     );
     Ok(0)
 }
@@ -182,7 +187,7 @@ fn journal(
                 .chain(stats_folder),
         );
         let count = finished.frames.len();
-        eprintln!("motes: going on after {count} finished frames");
+        note!("motes: going on after {count} finished frames");
         return Ok(Some((journal, finished)));
     }
     Ok(Some((
@@ -199,20 +204,20 @@ fn say_where(args: &RenderArgs, simulation: &Simulation, scene: &Scene) {
         } else {
             "no graphics adapter here has room for this scene"
         };
-        eprintln!("motes: {why}; the processor makes the same bits");
+        note!("motes: {why}; the processor makes the same bits");
     }
-    eprintln!("motes: {} on {adapter}", scene.name);
+    note!("motes: {} on {adapter}", scene.name);
 }
 
 /// What is asked for beyond an end, and is therefore not what it may seem.
 fn say_what_is_beyond(request: &Request) {
     let (end, lasts) = (request.frames.end, request.scene.frames);
     if end > lasts {
-        eprintln!("motes: the scene lasts {lasts} frames; those after show how it goes on");
+        note!("motes: the scene lasts {lasts} frames; those after show how it goes on");
     }
     let late = request.recording.changes.iter().find(|it| it.frame >= end);
     if let Some(change) = late {
-        eprintln!(
+        note!(
             "motes: changes from frame {} on come too late for frames up to {end}",
             change.frame
         );
@@ -221,7 +226,7 @@ fn say_what_is_beyond(request: &Request) {
 
 fn say_what_went_wrong(summary: &Summary, simulation: &Simulation) {
     if summary.dropped > 0 {
-        eprintln!(
+        note!(
             "motes: {} births were dropped for want of room; raise the scene's `capacity` ({})",
             summary.dropped,
             simulation.plan().capacity
@@ -234,6 +239,6 @@ fn say_what_went_wrong(summary: &Summary, simulation: &Simulation) {
                 "up to {live} particles were alive, but dark, too small or out of the camera's sight"
             ),
         };
-        eprintln!("motes: there is nothing to see in these pictures: {why}");
+        note!("motes: there is nothing to see in these pictures: {why}");
     }
 }
