@@ -7,7 +7,7 @@
 use std::fmt::Write;
 
 use crate::plan::{self, Turn};
-use crate::scene;
+use crate::scene::{self, SceneError, Set, shortened};
 
 /// The last frame that a scene can have.
 const MOST_FRAME: u32 = 1_000_000;
@@ -108,7 +108,7 @@ impl Recording {
                 continue;
             }
             let wrong = |what: &str| RecordingError {
-                message: format!("{file}:{number}: {what}: `{line}`"),
+                message: format!("{file}:{number}: {what}: `{}`", shortened(line)),
             };
             let (frame, set) = line
                 .split_once(char::is_whitespace)
@@ -146,26 +146,67 @@ impl Recording {
     /// # Errors
     /// The first change that the scene refuses, or that alters what holds for a whole run.
     pub fn turns(&self, scene: &str, sets: &[String]) -> Result<Vec<Turn>, RefusedChange> {
-        let refused = |change: &Change, error: &dyn std::fmt::Display| RefusedChange {
-            change: change.clone(),
-            message: error.to_string(),
-        };
-        let load = |change, sets: &[String]| {
-            scene::load_with(scene, sets).map_err(|error| refused(change, &error))
-        };
-        let mut sets = sets.to_vec();
+        let sets: Vec<Set> = sets.iter().map(|set| Set::argument(set)).collect();
+        self.turns_of("", "changes", scene, &sets)
+    }
+
+    /// As [`Recording::turns`], of the `text` of a file, which errors point into.
+    pub(crate) fn turns_of(
+        &self,
+        text: &str,
+        file: &str,
+        scene: &str,
+        sets: &[Set],
+    ) -> Result<Vec<Turn>, RefusedChange> {
         let mut turns: Vec<Turn> = Vec::new();
         let Some(first) = self.changes.first() else {
             return Ok(turns);
         };
-        let unchanged = load(first, &sets)?;
+        let refused = |change: &Change, message: String| RefusedChange {
+            change: change.clone(),
+            message,
+        };
+        let place = |change: &Change| match change.line {
+            0 => format!("{file}, frame {}", change.frame),
+            line => format!("{file}:{line}"),
+        };
+        let of_scene = |change: &Change, error: SceneError| {
+            let place = format!("error: {}: the scene refuses this change", place(change));
+            let why = error.to_string();
+            refused(
+                change,
+                match error.file() {
+                    // It points at the change itself.
+                    Some(named) if named == file => why,
+                    _ => format!("{place}\n{}", why.trim_start_matches("error: ")),
+                },
+            )
+        };
+        let lines: Vec<&str> = text.lines().collect();
+        let mut draft = scene::draft(scene, sets).map_err(|error| of_scene(first, error))?;
+        let unchanged = draft.scene().map_err(|error| of_scene(first, error))?;
         for change in &self.changes {
-            sets.push(change.set.clone());
+            let written = format!("{} {}", change.frame, change.set);
+            let line = change.line.checked_sub(1).and_then(|at| lines.get(at));
+            let line = line.copied().unwrap_or(&written);
+            let start = line.trim_end().len() - change.set.len();
+            draft
+                .set(&Set::line(file, change.line, line.trim_end(), start))
+                .map_err(|error| of_scene(change, error))?;
             let turn = Turn {
                 frame: change.frame,
-                scene: load(change, &sets)?,
+                scene: draft.scene().map_err(|error| of_scene(change, error))?,
             };
-            plan::check_turn(&unchanged, &turn).map_err(|error| refused(change, &error))?;
+            plan::check_turn(&unchanged, &turn).map_err(|error| {
+                let place = place(change);
+                refused(
+                    change,
+                    format!(
+                        "error: {place}: {}\n  = help: {}",
+                        error.message, error.help
+                    ),
+                )
+            })?;
             match turns.last_mut() {
                 Some(last) if last.frame == turn.frame => *last = turn,
                 _ => turns.push(turn),

@@ -7,6 +7,7 @@ mod scenes;
 mod schema;
 
 use std::io::{IsTerminal, Write};
+use std::path::Path;
 
 use clap::{Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
@@ -62,7 +63,25 @@ impl CliError {
             code: 2,
         }
     }
+
+    /// A plan that cannot be, of that scene.
+    fn of_plan(error: &PlanError, scene: &str) -> Self {
+        let PlanError { message, help } = error;
+        Self {
+            message: format!("error: {message}\n  --> {scene}\n  = help: {help}"),
+            code: 2,
+        }
+    }
 }
+
+/// Tells something on standard error. Work goes on if nobody reads it.
+macro_rules! note {
+    ($($text:tt)*) => {{
+        use std::io::Write as _;
+        let _ = writeln!(std::io::stderr(), $($text)*);
+    }};
+}
+use note;
 
 impl From<SceneError> for CliError {
     fn from(error: SceneError) -> Self {
@@ -127,15 +146,40 @@ pub(crate) fn print(text: &str) -> Result<(), CliError> {
     let mut out = std::io::stdout().lock();
     out.write_all(text.as_bytes())
         .and_then(|()| out.flush())
-        .map_err(|e| CliError {
-            message: format!("error: standard output cannot be written: {e}"),
-            code: 3,
+        .map_err(|e| {
+            let help = match e.kind() {
+                std::io::ErrorKind::BrokenPipe => {
+                    "\n  = help: what reads it has ended; write to a file and read that"
+                }
+                _ => "",
+            };
+            CliError {
+                message: format!("error: standard output cannot be written: {e}{help}"),
+                code: 3,
+            }
         })
 }
 
-/// Says something on standard error. Where that cannot be written, there is nobody to say so to.
-pub(crate) fn tell(message: &str) {
-    let _ = writeln!(std::io::stderr(), "{message}");
+/// Refuses a folder, or a place below a file, where `argument` needs a file to write.
+pub(crate) fn refuse_folder(argument: &str, path: &Path) -> Result<(), CliError> {
+    let above = path.ancestors().skip(1).find(|it| it.exists());
+    let problem = if path.is_dir() {
+        format!(
+            "{argument} needs a file, and {} is a folder",
+            path.display()
+        )
+    } else if let Some(file) = above.filter(|it| it.is_file()) {
+        format!(
+            "{} is a file, so nothing can be written below it",
+            file.display()
+        )
+    } else {
+        return Ok(());
+    };
+    Err(CliError::usage(
+        problem,
+        format!("give {argument} the name of a file, in a folder"),
+    ))
 }
 
 /// Runs the program with the process's arguments; the exit code.
@@ -158,7 +202,7 @@ pub fn main() -> u8 {
     match result {
         Ok(code) => code,
         Err(e) => {
-            tell(e.message.trim_end());
+            note!("{}", e.message.trim_end());
             e.code
         }
     }

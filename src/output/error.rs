@@ -95,9 +95,12 @@ fn judge(kind: ErrorKind) -> (bool, &'static str) {
 
 impl fmt::Display for OutputError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.path.display(), self.problem)?;
+        if !self.path.as_os_str().is_empty() {
+            write!(f, "{}: ", self.path.display())?;
+        }
+        f.write_str(&self.problem)?;
         if !self.advice.is_empty() {
-            write!(f, "\n  {}", self.advice)?;
+            write!(f, "\n  = help: {}", self.advice)?;
         }
         Ok(())
     }

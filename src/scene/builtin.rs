@@ -6,7 +6,8 @@ use std::io::Read as _;
 use std::path::Path;
 
 use super::error::{nearest, shortened};
-use super::parse::parse_with;
+use super::parse::Draft;
+use super::set::Set;
 use super::{Scene, SceneError};
 
 /// A scene that is part of the program.
@@ -65,8 +66,18 @@ pub fn load(name_or_path: &str) -> Result<Scene, SceneError> {
 /// As [`load`]; and if a set has no `=`, no value, or a path that leads nowhere. An error that
 /// comes from a set shows that set in place of a line of the file.
 pub fn load_with(name_or_path: &str, sets: &[String]) -> Result<Scene, SceneError> {
+    let sets: Vec<Set> = sets.iter().map(|set| Set::argument(set)).collect();
+    draft(name_or_path, &sets)?.scene()
+}
+
+/// A scene as [`load`] has it, with these changes made and more to come.
+pub(crate) fn draft(name_or_path: &str, sets: &[Set]) -> Result<Draft, SceneError> {
     let SceneText { text, file, name } = text_of(name_or_path)?;
-    parse_with(&text, &file, &name, sets)
+    let mut draft = Draft::new(&text, &file, &name)?;
+    for set in sets {
+        draft.set(set)?;
+    }
+    Ok(draft)
 }
 
 /// A scene's TOML.
@@ -105,6 +116,14 @@ fn is_path(name_or_path: &str) -> bool {
 }
 
 fn unknown(name: &str) -> SceneError {
+    let file = format!("{name}.toml");
+    if Path::new(&file).is_file() {
+        return SceneError::general(
+            format!("there is no built-in scene `{}`", shortened(name)),
+            None,
+            format!("did you mean {}, which is a file here?", shortened(&file)),
+        );
+    }
     let names = || BUILTIN.iter().map(|scene| scene.name);
     let close = nearest(name, names());
     let help = if close.is_empty() {
@@ -138,18 +157,27 @@ fn read(path: &str) -> Result<String, SceneError> {
             "a scene's TOML file, which is a few kilobytes",
         ));
     }
+    let not_text = |bytes: &[u8], end: usize, what: String| {
+        // Everything before the first bad byte is itself in the lossy text, byte for byte.
+        let text = String::from_utf8_lossy(bytes);
+        let help = "save the file as UTF-8";
+        SceneError::located(what, (path, &text, Some(1)), end..end + 1, help)
+    };
+    // UTF-16 is UTF-8 if it has no mark at its beginning, but not without these.
+    if let Some(zero) = bytes.iter().position(|&byte| byte == 0) {
+        let what = format!("the scene file is not text in UTF-8: byte {zero} is zero");
+        return Err(not_text(&bytes, zero.min(valid_until(&bytes)), what));
+    }
     String::from_utf8(bytes).map_err(|error| {
         let end = error.utf8_error().valid_up_to();
-        let text = String::from_utf8_lossy(error.as_bytes());
         let what = format!("the scene file is not UTF-8 from byte {end} on");
-        // Everything before the first bad byte is itself in the lossy text, byte for byte.
-        SceneError::located(
-            what,
-            (path, &text, true),
-            end..end + 1,
-            "save the file as UTF-8",
-        )
+        not_text(error.as_bytes(), end, what)
     })
+}
+
+/// Bytes before the first that is not UTF-8.
+fn valid_until(bytes: &[u8]) -> usize {
+    std::str::from_utf8(bytes).map_or_else(|error| error.valid_up_to(), str::len)
 }
 
 /// The file's stem, fit to be a part of output paths.

@@ -31,6 +31,7 @@ struct Place {
     snippet: String,
     indent: usize,
     carets: usize,
+    /// Whether the line's number means anything to people.
     numbered: bool,
 }
 
@@ -49,16 +50,16 @@ impl SceneError {
         }))
     }
 
-    /// An error at `span`, bytes of `text`, which came from `file`. Lines are `numbered` in the
-    /// printed form if `text` is a file's.
+    /// An error at `span`, bytes of `text`, which came from `file`, where it begins on line
+    /// `first_line`; without one, lines have no number in the printed form.
     pub(super) fn located(
         what: impl Into<String>,
-        (file, text, numbered): (&str, &str, bool),
+        (file, text, first_line): (&str, &str, Option<usize>),
         span: Range<usize>,
         help: impl Into<String>,
     ) -> Self {
         let mut error = Self::general(what, Some(file), help);
-        error.0.place = Some(Place::new(text, span, numbered));
+        error.0.place = Some(Place::new(text, span, first_line));
         error
     }
 
@@ -75,7 +76,7 @@ impl SceneError {
     }
 
     /// The file as it was given to [`parse`](super::parse()) or [`load`](super::load), or
-    /// `command line`; `None` if the error is about no file.
+    /// `command line`, or that of a recording; `None` if the error is about no file.
     #[must_use]
     pub fn file(&self) -> Option<&str> {
         self.0.file.as_deref()
@@ -129,7 +130,7 @@ impl fmt::Display for SceneError {
 }
 
 impl Place {
-    fn new(text: &str, span: Range<usize>, numbered: bool) -> Self {
+    fn new(text: &str, span: Range<usize>, first_line: Option<usize>) -> Self {
         let start = floor_char_boundary(text, span.start);
         let line_start = text[..start].rfind('\n').map_or(0, |newline| newline + 1);
         let line_end = text[start..]
@@ -158,12 +159,12 @@ impl Place {
             snippet.push('…');
         }
         Self {
-            line: text[..line_start].matches('\n').count() + 1,
+            line: text[..line_start].matches('\n').count() + first_line.unwrap_or(1),
             column: before + 1,
             snippet,
             indent,
             carets,
-            numbered,
+            numbered: first_line.is_some(),
         }
     }
 
@@ -198,9 +199,9 @@ pub(super) fn did_you_mean<'a>(given: &str, names: impl IntoIterator<Item = &'a 
 }
 
 /// A name that the user gave, not too long to stand in a message.
-pub(super) fn shortened(name: &str) -> String {
-    let mut short: String = name.chars().take(64).collect();
-    if short.len() < name.len() {
+pub(crate) fn shortened(name: &str) -> String {
+    let mut short: String = name.chars().take(64).map(plain).collect();
+    if name.chars().nth(64).is_some() {
         short.push('…');
     }
     short

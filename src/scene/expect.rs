@@ -39,6 +39,22 @@ pub(super) fn expected(field: &Field) -> String {
     format!("`{key}` ({about}) is {words}{unit}")
 }
 
+/// How many tables there may be, and how they are written.
+pub(super) fn several(field: &Field) -> String {
+    let most = match field.kind {
+        Kind::Tables { max, .. } | Kind::List { max, .. } => max,
+        _ => 1,
+    };
+    let count = match field.presence {
+        Presence::Required(_) => "1 to",
+        _ => "at most",
+    };
+    let (key, about, header) = (field.key, field.about, example(field));
+    format!(
+        "`{key}` ({about}) is {count} {most} tables, each under a header {header} in double brackets"
+    )
+}
+
 pub(super) fn kind_in_words(kind: &Kind) -> String {
     match *kind {
         Kind::Text { max_chars, lines } => {

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use super::builtin::{SceneText, text_of};
 use super::check::birth_keys;
 use super::expect::{kind_in_words, quoted};
-use super::parse::parse_with;
+use super::parse::parse;
 use super::schema::{Field, Kind, Presence, SCENE, Variant};
 use super::tracks::is_animated;
 use super::tree::{self, Node, Source, Value};
@@ -46,11 +46,11 @@ pub enum KnobValue {
 pub fn knobs(name_or_path: &str) -> Result<Vec<Knob>, SceneError> {
     let SceneText { text, file, name } = text_of(name_or_path)?;
     // Only what is right has knobs to speak of.
-    parse_with(&text, &file, &name, &[])?;
+    parse(&text, &file, &name)?;
     let source = Source {
         file,
         text: text.into_owned(),
-        numbered: true,
+        first_line: Some(1),
     };
     let root = tree::document(&Rc::new(source))?;
     let mut finder = Finder { found: Vec::new() };

@@ -27,13 +27,16 @@ mod values;
 mod wind;
 
 pub use births::{BirthMoment, BirthRounding, BirthUnit, Births, Burst};
+pub(crate) use builtin::draft;
 pub use builtin::{BUILTIN, BuiltinScene, load, load_with};
 pub use error::SceneError;
+pub(crate) use error::shortened;
 pub use extinction::{Extinction, Side};
 pub use generation::{Attractor, EjectionAxis, EjectionSpread, GenerationShape};
 pub use knobs::{Knob, KnobValue, knobs};
 pub use parse::parse;
 pub use picture::{Camera, Image, Layer, Projection, ShutterWeighting};
+pub(crate) use set::Set;
 pub use system::{Integration, Intensity, ParticleShape, ParticleSpace, StreakLight, System};
 pub use tracks::{Interpolation, Key, Owner, Track};
 pub use wind::{Turbulence, Wind};

@@ -7,7 +7,7 @@ use std::borrow::Cow;
 
 use super::SceneError;
 use super::error::{did_you_mean, shortened};
-use super::expect::{example, expected};
+use super::expect::{example, expected, several};
 use super::schema::{self, Field, Kind, Limits, Presence};
 use super::tracks;
 use super::tree::{self, At, Entry, Node, Value};
@@ -265,7 +265,10 @@ impl Spot<'_> {
     /// The same of a part of it, with its own path.
     pub(super) fn wrong_kind_of(&self, node: &Node, path: &str) -> SceneError {
         let what = format!("`{path}` cannot be {}", node.describe());
-        let help = format!("{}, as in {}", expected(&self.field), example(&self.field));
+        let help = match self.field.kind {
+            Kind::Tables { .. } | Kind::List { .. } => several(&self.field),
+            _ => format!("{}, as in {}", expected(&self.field), example(&self.field)),
+        };
         node.at.error(what, help)
     }
 

@@ -1,5 +1,7 @@
-//! `--set path.to.key=value`: changing one value of a scene's tree before it is checked.
+//! `path.to.key=value`: changing one value of a scene's tree before it is checked, be it of the
+//! command line or of a recording.
 
+use std::ops::Range;
 use std::rc::Rc;
 
 use super::SceneError;
@@ -13,39 +15,138 @@ const PREFIX: &str = "--set ";
 /// Parts of a path at most, so that no command line builds a tree too deep to walk.
 const MAX_PARTS: usize = 8;
 
-/// Puts one `path=value` into the tree. Whether the key exists and the value is right is found
-/// out when the tree is read, and then points here.
-pub(super) fn apply(root: &mut Node, set: &str) -> Result<(), SceneError> {
-    let source = Rc::new(Source {
-        file: "command line".to_owned(),
-        text: format!("{PREFIX}{set}"),
-        numbered: false,
-    });
-    let at = |start: usize, end: usize| At {
-        source: Rc::clone(&source),
-        span: PREFIX.len() + start..PREFIX.len() + end,
-    };
-    let form = "--set path.to.key=value, such as --set image.width=640 or --set \
-                system.0.speed.mean=0.2";
-    let Some(equals) = set.find('=') else {
-        return Err(at(0, set.len()).error("this --set has no `=`", form));
-    };
-    let mut parts = Vec::new();
-    let mut start = 0;
-    for part in set[..equals].split('.') {
-        let at = at(start, start + part.len());
-        start += part.len() + 1;
-        let name = part.trim();
-        if name.is_empty() {
-            return Err(at.error("this --set has an empty key", form));
-        }
-        if parts.len() == MAX_PARTS {
-            let help = format!("no key of a scene has more than {MAX_PARTS} parts");
-            return Err(at.error("the path of this --set is too long", help));
-        }
-        parts.push((name, at));
+/// A change of a value, and where its writer will look for it.
+#[derive(Clone, Debug)]
+pub(crate) struct Set {
+    source: Rc<Source>,
+    /// Where the path is written in the source; or the path that an argument of its own stands for.
+    path: Result<Range<usize>, &'static str>,
+    /// Where the value is; `None` if there is no `=` before it.
+    value: Option<Range<usize>>,
+    /// What errors call it.
+    noun: &'static str,
+    /// What would be right.
+    form: &'static str,
+}
+
+impl Set {
+    /// `path.to.key=value`, after `--set`.
+    pub(crate) fn argument(set: &str) -> Self {
+        let source = Source {
+            file: "command line".to_owned(),
+            text: format!("{PREFIX}{set}"),
+            first_line: None,
+        };
+        let form = "--set path.to.key=value, such as --set image.width=640 or --set \
+                    system.0.speed.mean=0.2";
+        Self::written(source, PREFIX.len(), "--set", form)
     }
-    let value = value(&source, PREFIX.len() + equals + 1, form)?;
+
+    /// The same from byte `start` of a line of a file; number 0 is none.
+    pub(crate) fn line(file: &str, number: usize, line: &str, start: usize) -> Self {
+        let source = Source {
+            file: file.to_owned(),
+            text: line.to_owned(),
+            first_line: (number > 0).then_some(number),
+        };
+        let form = "FRAME path.to.key=value, such as 12 system.0.speed.mean=0.2";
+        Self::written(source, start, "change", form)
+    }
+
+    fn written(source: Source, start: usize, noun: &'static str, form: &'static str) -> Self {
+        let end = source.text.len();
+        let equals = source.text[start..].find('=').map(|at| start + at);
+        Self {
+            path: Ok(start..equals.unwrap_or(end)),
+            value: equals.map(|at| at + 1..end),
+            source: Rc::new(source),
+            noun,
+            form,
+        }
+    }
+
+    /// An argument that stands for a path of its own: what was typed, and the bytes of it that are
+    /// the value.
+    pub(crate) fn implied(path: &'static str, typed: &str, value: Range<usize>) -> Self {
+        let source = Source {
+            file: "command line".to_owned(),
+            text: typed.to_owned(),
+            first_line: None,
+        };
+        Self {
+            source: Rc::new(source),
+            path: Err(path),
+            value: Some(value),
+            noun: "argument",
+            form: "",
+        }
+    }
+
+    fn at(&self, span: Range<usize>) -> At {
+        let source = Rc::clone(&self.source);
+        At { source, span }
+    }
+
+    /// The parts of the path, and where they stand.
+    fn parts(&self) -> Result<Vec<(&str, At)>, SceneError> {
+        let (path, mut start) = match &self.path {
+            Ok(span) => (&self.source.text[span.clone()], span.start),
+            Err(path) => (*path, 0),
+        };
+        let mut parts = Vec::new();
+        for part in path.split('.') {
+            let at = self.at(match &self.path {
+                Ok(_) => start..start + part.len(),
+                Err(_) => 0..self.source.text.len(),
+            });
+            start += part.len() + 1;
+            let name = part.trim();
+            if name.is_empty() {
+                let what = format!("this {} has an empty key", self.noun);
+                return Err(at.error(what, self.form));
+            }
+            if parts.len() == MAX_PARTS {
+                let help = format!("no key of a scene has more than {MAX_PARTS} parts");
+                let what = format!("the path of this {} is too long", self.noun);
+                return Err(at.error(what, help));
+            }
+            parts.push((name, at));
+        }
+        Ok(parts)
+    }
+
+    /// The value: TOML, or a word that is taken as text.
+    fn value(&self, written: &Range<usize>) -> Result<Node, SceneError> {
+        let text = &self.source.text[written.clone()];
+        let trimmed = text.trim();
+        let start = written.start + (text.len() - text.trim_start().len());
+        let span = start..start + trimmed.len();
+        let Some(first) = trimmed.chars().next() else {
+            let what = format!("this {} has no value", self.noun);
+            return Err(self.at(span).error(what, self.form));
+        };
+        match tree::value(&self.source, span.clone()) {
+            // Whatever begins with a letter and is not TOML can only be meant as text.
+            Err(_) if first.is_alphabetic() || first == '_' => {
+                let value = Value::Text(trimmed.to_owned());
+                let at = self.at(span);
+                Ok(Node { at, value })
+            }
+            result => result,
+        }
+    }
+}
+
+/// Makes the change in the tree. Whether the key exists and the value is right is found out when
+/// the tree is read, and then points here.
+pub(super) fn apply(root: &mut Node, set: &Set) -> Result<(), SceneError> {
+    let Some(written) = &set.value else {
+        let span = set.path.clone().unwrap_or(0..set.source.text.len());
+        let what = format!("this {} has no `=`", set.noun);
+        return Err(set.at(span).error(what, set.form));
+    };
+    let parts = set.parts()?;
+    let value = set.value(written)?;
     let mut node = root;
     for (depth, (name, at)) in parts.iter().enumerate() {
         let parent = parts[..depth].iter().map(|part| shortened(part.0));
@@ -54,27 +155,6 @@ pub(super) fn apply(root: &mut Node, set: &str) -> Result<(), SceneError> {
     }
     *node = value;
     Ok(())
-}
-
-/// The value from byte `start` of the source: TOML, or a word that is taken as text.
-fn value(source: &Rc<Source>, start: usize, form: &str) -> Result<Node, SceneError> {
-    let text = &source.text[start..];
-    let trimmed = text.trim();
-    let start = start + (text.len() - text.trim_start().len());
-    let span = start..start + trimmed.len();
-    let source = Rc::clone(source);
-    let Some(first) = trimmed.chars().next() else {
-        return Err(At { source, span }.error("this --set has no value", form));
-    };
-    match tree::value(&source, span.clone()) {
-        // Whatever begins with a letter and is not TOML can only be meant as text.
-        Err(_) if first.is_alphabetic() || first == '_' => {
-            let value = Value::Text(trimmed.to_owned());
-            let at = At { source, span };
-            Ok(Node { at, value })
-        }
-        result => result,
-    }
 }
 
 /// The node that `name` leads to from `node`, which errors call `parent`; made if there is none.
@@ -138,6 +218,7 @@ fn no_such_item(items: &[Node], name: &str, at: &At, parent: &str) -> SceneError
     let guess = did_you_mean(name, names.iter().copied());
     let mut help = match items.len() {
         0 => format!("`{parent}` is empty"),
+        1 => format!("{guess}Its only item is 0"),
         count => format!("{guess}Its items are 0 to {}", count - 1),
     };
     if !names.is_empty() {

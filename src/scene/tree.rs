@@ -19,8 +19,8 @@ pub(super) struct Source {
     pub(super) file: String,
     /// All of it.
     pub(super) text: String,
-    /// Whether errors say which line: yes for files, no for a command line.
-    pub(super) numbered: bool,
+    /// The line of the file that it begins on; `None` for what is no file's.
+    pub(super) first_line: Option<usize>,
 }
 
 /// A place in a [`Source`].
@@ -64,9 +64,9 @@ impl At {
         let Source {
             file,
             text,
-            numbered,
+            first_line,
         } = &*self.source;
-        SceneError::located(what, (file, text, *numbered), self.span.clone(), help)
+        SceneError::located(what, (file, text, *first_line), self.span.clone(), help)
     }
 
     /// The line that this place is on, from 1.
@@ -170,7 +170,7 @@ pub(super) fn snippet(toml: &str, called: &str) -> Result<Node, SceneError> {
     let source = Source {
         file: called.to_owned(),
         text: toml.to_owned(),
-        numbered: false,
+        first_line: None,
     };
     value(&Rc::new(source), 0..toml.len())
 }
@@ -228,9 +228,19 @@ fn dismantle(value: DeValue<'_>) {
 }
 
 fn syntax_error(source: &Rc<Source>, offset: usize, error: &toml::de::Error) -> SceneError {
-    let what = format!("this is not TOML: {}", error.message());
-    let help = "a scene is TOML 1.0: `key = value` lines under `[table]` headers, text in double \
-                quotes";
+    let (what, help) = match error.message() {
+        deep if deep.contains("recurs") => (TOO_DEEP.to_owned(), too_deep_help()),
+        "duplicate key" => (
+            "duplicate key: this key or table is already there".to_owned(),
+            "keep one: a table has each of its keys once, and only `[[…]]` begins another of a kind"
+                .to_owned(),
+        ),
+        message => (
+            format!("this is not TOML: {message}"),
+            "a scene is TOML 1.0: `key = value` lines under `[table]` headers, text in double quotes"
+                .to_owned(),
+        ),
+    };
     // Only a key of more than 80 parts has no place.
     let Some(span) = error.span() else {
         return SceneError::general(what, Some(&source.file), help);
@@ -238,6 +248,12 @@ fn syntax_error(source: &Rc<Source>, offset: usize, error: &toml::de::Error) -> 
     let span = span.start + offset..span.end + offset;
     let source = Rc::clone(source);
     At { source, span }.error(what, help)
+}
+
+const TOO_DEEP: &str = "tables or arrays are nested too deep";
+
+fn too_deep_help() -> String {
+    format!("no key of a scene lies deeper than {MAX_DEPTH} levels")
 }
 
 struct Builder<'a> {
@@ -261,8 +277,7 @@ impl Builder<'_> {
     ) -> Result<Node, SceneError> {
         let at = self.at(span);
         if depth > MAX_DEPTH {
-            let help = format!("no key of a scene lies deeper than {MAX_DEPTH} levels");
-            return Err(at.error("tables or arrays are nested too deep", help));
+            return Err(at.error(TOO_DEEP, too_deep_help()));
         }
         let value = match value {
             DeValue::String(text) => Value::Text(text.to_string()),

@@ -268,7 +268,7 @@ fn a_wrong_recording_is_answered_with_file_and_line() {
         ),
         (
             "# slower\n2 system.0.sped=0.2\n",
-            &["changes.txt:2: ", "`sped`", "system.0.sped=0.2", "`speed`"],
+            &["changes.txt:2:12", "`sped`", "system.0.sped=0.2", "`speed`"],
         ),
         (
             "2 system.0.speed=0.2\n3 image.width=48\n",

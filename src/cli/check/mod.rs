@@ -9,8 +9,7 @@ mod tests;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use super::{CliError, print};
-use super::{progress_bar, tell};
+use super::{CliError, note, print, progress_bar};
 use crate::check::{self, CompareOptions, Outcome, SavedFor, compare, default_frames, shrunk};
 use crate::output::write_whole;
 use crate::plan::Plan;
@@ -24,7 +23,7 @@ pub(super) struct CheckArgs {
     #[arg(value_name = "SCENE")]
     scenes: Vec<String>,
     /// Frames of each scene, from 0 [default: enough to see births and deaths; all with --full]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    #[arg(long, value_name = "N", value_parser = parse_frames, allow_hyphen_values = true)]
     frames: Option<u32>,
     /// The adapter under test: auto, cpu, or part of an adapter's name
     #[arg(long, value_name = "A", env = "MOTES_ADAPTER", default_value = "auto")]
@@ -44,6 +43,13 @@ pub(super) struct CheckArgs {
     /// Write the results as JUnit XML
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
+}
+
+fn parse_frames(text: &str) -> Result<u32, String> {
+    let frames = text.trim().parse().ok();
+    frames
+        .filter(|frames| (1..=1_000_000).contains(frames))
+        .ok_or_else(|| "frames are a whole number from 1 to 1000000, e.g. 24".to_owned())
 }
 
 /// A scene, ready to be run on any side.
@@ -80,18 +86,47 @@ impl Report {
 }
 
 pub(super) fn run(args: &CheckArgs) -> Result<u8, CliError> {
+    places(args)?;
     let jobs = jobs(args)?;
     let (tested, against) = side::both(&args.adapter, &args.against)?;
     check_all(args, &jobs, tested, against)
 }
 
+/// Refuses reports that cannot be written, before the scenes are run for nothing.
+fn places(args: &CheckArgs) -> Result<(), CliError> {
+    let reports = [("--json", &args.json), ("--junit", &args.junit)];
+    for (argument, path) in reports {
+        if let Some(path) = path {
+            super::refuse_folder(argument, path)?;
+        }
+    }
+    if let (Some(json), Some(junit)) = (&args.json, &args.junit)
+        && json == junit
+    {
+        return Err(CliError::usage(
+            format!(
+                "--json and --junit would be written to the same file: {}",
+                json.display()
+            ),
+            "give each report a path of its own",
+        ));
+    }
+    if let Some(file) = args.save.as_deref().filter(|path| path.is_file()) {
+        return Err(CliError::usage(
+            format!("--save needs a folder, and {} is a file", file.display()),
+            "name a folder, which is made if it is not there",
+        ));
+    }
+    Ok(())
+}
+
 /// Checks the scenes and writes the reports; the exit code.
 fn check_all(args: &CheckArgs, jobs: &[Job], tested: Side, against: Side) -> Result<u8, CliError> {
-    tell(&format!(
+    note!(
         "motes: checking {} against {}",
         tested.name(),
         against.name()
-    ));
+    );
     let mut report = Report {
         tested,
         against,
@@ -137,7 +172,7 @@ fn jobs(args: &CheckArgs) -> Result<Vec<Job>, CliError> {
             if !args.full {
                 scene = shrunk(&scene, frames)?;
             }
-            let plan = Plan::new(&scene, frames)?;
+            let plan = Plan::new(&scene, frames).map_err(|e| CliError::of_plan(&e, &asked))?;
             Ok(Job {
                 asked,
                 name: scene.name,
@@ -205,9 +240,7 @@ fn check_scene(args: &CheckArgs, job: &Job, report: &mut Report) -> Result<(), C
         }
     }
     if outcome.most_particles == 0 {
-        tell(&format!(
-            "motes: no particle of {scene} ever lived: take more --frames"
-        ));
+        note!("motes: no particle of {scene} ever lived: take more --frames");
     }
     let checked = Checked {
         scene,

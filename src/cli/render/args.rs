@@ -14,10 +14,10 @@ pub(in crate::cli) struct RenderArgs {
     #[arg(short, long, value_name = "OUT")]
     pub(super) output: Option<String>,
     /// Frames to draw, from A to before B [default: the whole scene]
-    #[arg(long, value_name = "A..B", value_parser = parse_frames, conflicts_with = "frame")]
+    #[arg(long, value_name = "A..B", value_parser = parse_frames, conflicts_with = "frame", allow_hyphen_values = true)]
     pub(super) frames: Option<Range<u32>>,
     /// Draw this frame alone; the simulation starts as late as particles' lifetimes allow
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = parse_frame, allow_hyphen_values = true)]
     pub(super) frame: Option<u32>,
     /// Write each layer of the picture beside it, with alpha: name-LAYER.png, or .exr where that
     /// is the output. Layers sum to the picture in light, before it is made linear for an EXR;
@@ -25,10 +25,10 @@ pub(in crate::cli) struct RenderArgs {
     #[arg(long)]
     pub(super) layers: bool,
     /// Size of the picture in pixels
-    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    #[arg(long, value_name = "WxH", value_parser = parse_size, allow_hyphen_values = true)]
     pub(super) size: Option<(u32, u32)>,
     /// Seed of every random decision [default: the scene's]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = parse_seed, allow_hyphen_values = true)]
     pub(super) seed: Option<u64>,
     /// auto, cpu, or part of an adapter's name
     #[arg(long, value_name = "A", env = "MOTES_ADAPTER", default_value = "auto")]
@@ -37,10 +37,10 @@ pub(in crate::cli) struct RenderArgs {
     #[arg(long, value_name = "FILE.csv")]
     pub(super) stats: Option<PathBuf>,
     /// Write the particles of these frames as PLY files
-    #[arg(long, value_name = "N,N,…", value_delimiter = ',')]
+    #[arg(long, value_name = "N,N,…", value_delimiter = ',', value_parser = parse_dump, allow_hyphen_values = true)]
     pub(super) dump: Vec<u32>,
     /// Where dumps go [default: out/SCENE/]
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", requires = "dump")]
     pub(super) dump_dir: Option<PathBuf>,
     /// Change a key of the scene, e.g. camera.vertical_fov_degrees=30
     #[arg(long, value_name = "path.to.key=value")]
@@ -57,7 +57,7 @@ pub(in crate::cli) struct RenderArgs {
     pub(super) no_clobber: bool,
     /// Time between two snapshots of the state, kept to resume from where particles live without
     /// limit or births are dropped
-    #[arg(long, value_name = "SECS", default_value_t = 30.0, value_parser = parse_secs)]
+    #[arg(long, value_name = "SECS", default_value_t = 30.0, value_parser = parse_secs, allow_hyphen_values = true)]
     pub(super) snapshot_every: f64,
 }
 
@@ -65,6 +65,27 @@ fn parse_secs(text: &str) -> Result<f64, String> {
     let secs = text.trim().parse().ok();
     secs.filter(|secs| (0.0..=1e6).contains(secs))
         .ok_or_else(|| "seconds are a number from 0 to 1000000, e.g. 30".to_owned())
+}
+
+fn parse_frame(text: &str) -> Result<u32, String> {
+    let frame = text.trim().parse().ok();
+    frame
+        .filter(|frame| *frame < MOST_FRAMES)
+        .ok_or_else(|| format!("a frame is a whole number below {MOST_FRAMES}, e.g. 24"))
+}
+
+fn parse_dump(text: &str) -> Result<u32, String> {
+    parse_frame(text).map_err(|_| {
+        format!("frames are whole numbers below {MOST_FRAMES} with commas between, e.g. 0,12,24")
+    })
+}
+
+fn parse_seed(text: &str) -> Result<u64, String> {
+    // As large as a scene file's.
+    let most = i64::MAX.cast_unsigned();
+    let seed = text.trim().parse().ok();
+    seed.filter(|seed| *seed <= most)
+        .ok_or_else(|| format!("a seed is a whole number from 0 to {most}, e.g. 7"))
 }
 
 fn parse_frames(text: &str) -> Result<Range<u32>, String> {

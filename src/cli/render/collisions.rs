@@ -53,6 +53,24 @@ pub(super) fn refuse(
     Ok(())
 }
 
+/// Refuses an output that would be written over what is read.
+pub(super) fn refuse_inputs(
+    outputs: &[Option<&Path>],
+    inputs: &[(&str, Option<&Path>)],
+) -> Result<(), CliError> {
+    for output in outputs.iter().flatten() {
+        for (what, input) in inputs {
+            if input.is_some_and(|input| input.is_file() && place(input) == place(output)) {
+                return Err(CliError::usage(
+                    format!("{} is {what}, and would be written over", output.display()),
+                    "give the output a path of its own",
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
 /// The file of the pictures that is also `stats`; that of the first frame if none is.
 fn picture_like(target: &OutputTarget, frames: &Range<u32>, stats: &Path) -> PathBuf {
     let stats_place = place(stats);

@@ -9,7 +9,7 @@ use super::interrupt::Interrupt;
 use super::journal::{Finished, Journal};
 use super::summary::Summary;
 use crate::backend::BackendError;
-use crate::cli::{CliError, progress_bar, tell};
+use crate::cli::{CliError, note, progress_bar};
 use crate::output::{
     Drawing, FrameSink, OutputTarget, ParticleRecord, Picture, StatsWriter, Written, dump_path,
     write_particles, write_svg,
@@ -130,9 +130,7 @@ impl Job<'_> {
         {
             self.keeps_states = false;
             let why = error.message.trim_start_matches("error: ");
-            tell(&format!(
-                "motes: no more snapshots of the state are kept: {why}"
-            ));
+            note!("motes: no more snapshots of the state are kept: {why}");
         }
         Ok(())
     }
@@ -202,9 +200,7 @@ impl Job<'_> {
         {
             summary.dropped = dropped;
             let frame = state.frame();
-            tell(&format!(
-                "motes: going on from the state after frame {frame}"
-            ));
+            note!("motes: going on from the state after frame {frame}");
             return Ok(frame + 1);
         }
         simulation.begin_at(first);

@@ -15,11 +15,11 @@ use std::ops::Range;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use super::{CliError, tell};
+use super::{CliError, note};
 use crate::gpu::shader::sources;
 use crate::output::{FrameSink, OutputTarget, StatsWriter, dump_path, probe};
 use crate::scene::Scene;
-use crate::simulation::{self, AdapterChoice, Options, Simulation};
+use crate::simulation::{self, AdapterChoice, Options, Simulation, SimulationError};
 use interrupt::Interrupt;
 use job::{Job, Pictures};
 use journal::{Finished, Journal};
@@ -47,7 +47,11 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
             turns: request.turns.clone(),
             ..Options::default()
         },
-    )?;
+    )
+    .map_err(|error| match error {
+        SimulationError::Plan(error) => CliError::of_plan(&error, &args.scene),
+        error => error.into(),
+    })?;
     say_where(&args, &simulation, scene);
     say_what_is_beyond(&request);
     // First of all outputs, so that it knows who began what is left of them.
@@ -98,26 +102,24 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
     let summary = job.run(&mut simulation, scene, frames, &finished)?;
     if let Some((next, code)) = summary.stopped {
         let Range { start, end } = frames;
-        tell(&format!(
-            "motes: stopped before frame {next} of {start}..{end}"
-        ));
+        note!("motes: stopped before frame {next} of {start}..{end}");
         if job.can_go_on() {
-            tell("motes: the same command with --resume goes on from there");
+            note!("motes: the same command with --resume goes on from there");
         } else {
             let how = match job.journal {
                 Some(_) => "no frame was finished",
                 None => "with --resume from the beginning, frames are kept to go on from",
             };
-            tell(&format!("motes: nothing is kept of it: {how}"));
+            note!("motes: nothing is kept of it: {how}");
         }
         return Ok(code);
     }
     let written = job.finish()?;
     if written.left_out > 0 {
-        tell(&format!(
+        note!(
             "motes: {} frames were left out to keep the animation's speed: a GIF shows at most 50 a second",
             written.left_out
-        ));
+        );
     }
     say_what_went_wrong(&summary, &simulation);
     // As it was asked for: a pattern's own path would be that of frame 0, drawn or not.
@@ -129,10 +131,11 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
         count => format!("{count} frames"),
     };
     let secs = begun.elapsed().as_secs_f64();
-    tell(&format!(
+    note!(
         "motes: wrote {place}: {count} of {}x{} pixels in {secs:.1} s",
-        scene.image.width, scene.image.height
-    ));
+        scene.image.width,
+        scene.image.height
+    );
     Ok(0)
 }
 
@@ -193,7 +196,7 @@ fn journal(
         && let Some((journal, finished)) = Journal::resume(&folder, identity, &outputs)?
     {
         let count = finished.count();
-        tell(&format!("motes: going on after {count} finished frames"));
+        note!("motes: going on after {count} finished frames");
         return Ok(Some((journal, finished)));
     }
     let journal = Journal::begin(&folder, identity, &outputs)?;
@@ -208,35 +211,33 @@ fn say_where(args: &RenderArgs, simulation: &Simulation, scene: &Scene) {
         } else {
             "no graphics adapter here has room for this scene"
         };
-        tell(&format!("motes: {why}; the processor makes the same bits"));
+        note!("motes: {why}; the processor makes the same bits");
     }
-    tell(&format!("motes: {} on {adapter}", scene.name));
+    note!("motes: {} on {adapter}", scene.name);
 }
 
 /// What is asked for beyond an end, and is therefore not what it may seem.
 fn say_what_is_beyond(request: &Request) {
     let (end, lasts) = (request.frames.end, request.scene.frames);
     if end > lasts {
-        tell(&format!(
-            "motes: the scene lasts {lasts} frames; those after show how it goes on"
-        ));
+        note!("motes: the scene lasts {lasts} frames; those after show how it goes on");
     }
     let late = request.recording.changes.iter().find(|it| it.frame >= end);
     if let Some(change) = late {
-        tell(&format!(
+        note!(
             "motes: changes from frame {} on come too late for frames up to {end}",
             change.frame
-        ));
+        );
     }
 }
 
 fn say_what_went_wrong(summary: &Summary, simulation: &Simulation) {
     if summary.dropped > 0 {
-        tell(&format!(
+        note!(
             "motes: {} births were dropped for want of room; raise the scene's `capacity` ({})",
             summary.dropped,
             simulation.plan().capacity
-        ));
+        );
     }
     if !summary.lit {
         let why = match summary.most_live {
@@ -245,8 +246,6 @@ fn say_what_went_wrong(summary: &Summary, simulation: &Simulation) {
                 "up to {live} particles were alive, but dark, too small or out of the camera's sight"
             ),
         };
-        tell(&format!(
-            "motes: there is nothing to see in these pictures: {why}"
-        ));
+        note!("motes: there is nothing to see in these pictures: {why}");
     }
 }

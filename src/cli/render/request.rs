@@ -5,14 +5,14 @@ use std::io::Read;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use super::args::{MOST_FRAMES, RenderArgs};
+use super::args::RenderArgs;
 use super::collisions;
 use super::journal::Finished;
-use crate::cli::CliError;
+use crate::cli::{CliError, refuse_folder};
 use crate::output::{OutputTarget, dump_path};
 use crate::plan::Turn;
-use crate::recording::{Recording, RefusedChange};
-use crate::scene::{self, Scene};
+use crate::recording::Recording;
+use crate::scene::{self, Scene, Set};
 
 /// A recording is shorter.
 const MOST_BYTES: u64 = 16 << 20;
@@ -30,22 +30,9 @@ pub(super) struct Request {
 
 /// Checks all that can be known before anything is opened.
 pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
-    let mut sets = args.set.clone();
-    if let Some((width, height)) = args.size {
-        sets.push(format!("image.width={width}"));
-        sets.push(format!("image.height={height}"));
-    }
-    if let Some(seed) = args.seed {
-        sets.push(format!("seed={seed}"));
-    }
-    let scene = scene::load_with(&args.scene, &sets)?;
+    let sets = sets(args);
+    let scene = scene::draft(&args.scene, &sets)?.scene()?;
     let frames = match (args.frame, &args.frames) {
-        (Some(frame), _) if frame >= MOST_FRAMES => {
-            return Err(CliError::usage(
-                format!("frame {frame} is too late"),
-                format!("frames are below {MOST_FRAMES}"),
-            ));
-        }
         (Some(frame), _) => frame..frame + 1,
         (None, Some(frames)) => frames.clone(),
         (None, None) => 0..scene.frames,
@@ -71,7 +58,15 @@ pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
         Vec::new()
     };
     let stats = args.stats.as_deref();
+    if let Some(stats) = stats {
+        refuse_folder("--stats", stats)?;
+    }
     collisions::refuse(&target, &frames, &layers, stats, &args.dump, &dump_dir)?;
+    let inputs = [
+        ("the scene", Some(Path::new(&args.scene))),
+        ("the recording (--inputs)", args.inputs.as_deref()),
+    ];
+    collisions::refuse_inputs(&[Some(&target.path()), stats], &inputs)?;
     if args.layers && target.layer_path(0, "").is_none() {
         return Err(CliError::usage(
             "--layers writes files beside those of the frames, and this output has none",
@@ -89,9 +84,13 @@ pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
     }
     let (recording, turns) = match &args.inputs {
         Some(path) => {
-            let recording = recording_of(path)?;
-            let turns = recording.turns(&args.scene, &sets);
-            let turns = turns.map_err(|e| refused_change(&e, path))?;
+            let (text, file) = (text_of(path)?, path.display().to_string());
+            let recording = Recording::parse(&text, &file)?;
+            let turns = recording.turns_of(&text, &file, &args.scene, &sets);
+            let turns = turns.map_err(|refused| CliError {
+                message: refused.message,
+                code: 2,
+            })?;
             (recording, turns)
         }
         None => (Recording::default(), Vec::new()),
@@ -140,33 +139,48 @@ pub(super) fn refuse_to_replace(
     }
 }
 
-fn recording_of(path: &Path) -> Result<Recording, CliError> {
-    let mut text = String::new();
-    let read = File::open(path).and_then(|file| file.take(MOST_BYTES).read_to_string(&mut text));
-    match read {
-        Ok(bytes) if bytes as u64 == MOST_BYTES => {
-            return Err(CliError::usage(
-                format!("{} is too long", path.display()),
-                format!("a recording has less than {MOST_BYTES} bytes"),
-            ));
-        }
-        Ok(_) => {}
-        Err(e) => {
-            return Err(CliError::usage(
-                format!("{} cannot be read: {e}", path.display()),
-                "name a text file",
-            ));
-        }
+/// The changes that arguments ask for, each as it was typed.
+fn sets(args: &RenderArgs) -> Vec<Set> {
+    let mut sets: Vec<Set> = args.set.iter().map(|set| Set::argument(set)).collect();
+    if let Some((width, height)) = args.size {
+        let typed = format!("--size {width}x{height}");
+        let cut = typed.len() - height.to_string().len();
+        sets.push(Set::implied(
+            "image.width",
+            &typed,
+            "--size ".len()..cut - 1,
+        ));
+        sets.push(Set::implied("image.height", &typed, cut..typed.len()));
     }
-    Ok(Recording::parse(&text, &path.display().to_string())?)
+    if let Some(seed) = args.seed {
+        let typed = format!("--seed {seed}");
+        sets.push(Set::implied("seed", &typed, "--seed ".len()..typed.len()));
+    }
+    sets
 }
 
-/// A change that the scene refuses: where it stands, and below that what the scene says.
-fn refused_change(refused: &RefusedChange, path: &Path) -> CliError {
-    let (file, line) = (path.display(), refused.change.line);
-    let why = refused.message.trim_start_matches("error: ");
-    CliError {
-        message: format!("error: {file}:{line}: the scene refuses this change\n{why}"),
-        code: 2,
+/// The text of a recording.
+fn text_of(path: &Path) -> Result<String, CliError> {
+    let file = path.display();
+    let mut bytes = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(MOST_BYTES).read_to_end(&mut bytes));
+    match read {
+        Ok(read) if read as u64 == MOST_BYTES => Err(CliError::usage(
+            format!("{file} is too long for a recording (--inputs)"),
+            format!("a recording has less than {MOST_BYTES} bytes"),
+        )),
+        Ok(_) => String::from_utf8(bytes).map_err(|error| {
+            let end = error.utf8_error().valid_up_to();
+            let before = error.as_bytes()[..end].iter();
+            let line = before.filter(|&&byte| byte == b'\n').count() + 1;
+            CliError::usage(
+                format!("{file}:{line}: the recording is not UTF-8 from byte {end} on"),
+                "save the file as UTF-8",
+            )
+        }),
+        Err(e) => Err(CliError::usage(
+            format!("{file} cannot be read: {e}"),
+            "--inputs takes a text file with lines of `FRAME path.to.key=value`",
+        )),
     }
 }

@@ -11,6 +11,7 @@ use super::check;
 use super::read::{Reader, Spot};
 use super::schema::{CAMERA, IMAGE, LAYER, SCENE};
 use super::set;
+use super::set::Set;
 use super::tracks;
 use super::tree::{self, Node, Source};
 use super::values::{Quantity, choice, list, text, whole, whole32};
@@ -25,28 +26,39 @@ use super::{Camera, Image, Layer, Projection, Scene, SceneError, ShutterWeightin
 /// If the text is not TOML, or a key is unknown, missing, of the wrong kind, out of range or at
 /// odds with another. The first such thing is reported.
 pub fn parse(text: &str, file: &str, name: &str) -> Result<Scene, SceneError> {
-    parse_with(text, file, name, &[])
+    Draft::new(text, file, name)?.scene()
 }
 
-/// [`parse`], with values changed on the way: see [`load_with`](super::load_with).
-pub(super) fn parse_with(
-    text: &str,
-    file: &str,
-    name: &str,
-    sets: &[String],
-) -> Result<Scene, SceneError> {
-    let source = Rc::new(Source {
-        file: file.to_owned(),
-        text: text.to_owned(),
-        numbered: true,
-    });
-    let mut root = tree::document(&source)?;
-    // Where something is missing from the whole file, its first character stands for it.
-    root.at.span = 0..0;
-    for set in sets {
-        set::apply(&mut root, set)?;
+/// A scene's text, read but not yet checked, so that values can be changed.
+pub(crate) struct Draft {
+    root: Node,
+    name: String,
+}
+
+impl Draft {
+    /// Reads a text as [`parse`] does.
+    pub(super) fn new(text: &str, file: &str, name: &str) -> Result<Self, SceneError> {
+        let source = Rc::new(Source {
+            file: file.to_owned(),
+            text: text.to_owned(),
+            first_line: Some(1),
+        });
+        let mut root = tree::document(&source)?;
+        // Where something is missing from the whole file, its first character stands for it.
+        root.at.span = 0..0;
+        let name = name.to_owned();
+        Ok(Self { root, name })
     }
-    scene(&root, name)
+
+    /// Changes a value.
+    pub(crate) fn set(&mut self, set: &Set) -> Result<(), SceneError> {
+        set::apply(&mut self.root, set)
+    }
+
+    /// The scene that it is now, checked.
+    pub(crate) fn scene(&self) -> Result<Scene, SceneError> {
+        scene(&self.root, &self.name)
+    }
 }
 
 fn scene(root: &Node, name: &str) -> Result<Scene, SceneError> {
