@@ -29,6 +29,14 @@ pub(super) struct Journal {
     file: File,
     /// Whether this run began it and has put nothing into it that is worth keeping.
     is_empty: bool,
+    /// What processes before this one may have left.
+    leftovers: Leftovers,
+}
+
+/// Hidden files that killed processes of a run had begun to write.
+struct Leftovers {
+    processes: Vec<u32>,
+    folders: Vec<PathBuf>,
 }
 
 /// What a stopped run had finished.
@@ -108,12 +116,13 @@ impl Journal {
     /// Begins a journal, in place of any that there is.
     pub(super) fn begin(folder: &Path, identity: u64, outputs: &[&Path]) -> Result<Self, CliError> {
         let (file, text) = Self::open(folder)?;
-        Finished::of(&text).sweep(outputs, folder);
         let mut journal = Self {
             folder: folder.to_owned(),
             file,
             is_empty: true,
+            leftovers: Leftovers::of(&Finished::of(&text), outputs, folder),
         };
+        journal.leftovers.sweep();
         journal.cut_off(0)?;
         for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
             if entry.file_name() != NAME {
@@ -156,12 +165,13 @@ impl Journal {
             ));
         }
         let finished = Finished::of(&text[..whole]);
-        finished.sweep(outputs, folder);
         let mut journal = Self {
             folder: folder.to_owned(),
             file,
             is_empty: false,
+            leftovers: Leftovers::of(&finished, outputs, folder),
         };
+        journal.leftovers.sweep();
         // What a killed process has begun is cut off, or the next line would be joined to it.
         journal.cut_off(whole as u64)?;
         journal.line(&format!("process {}", std::process::id()))?;
@@ -241,6 +251,8 @@ impl Journal {
     /// The run is complete: nothing is left to go on from.
     pub(super) fn remove(mut self) {
         self.is_empty = true;
+        // What a killed process had started may have begun a file after it was swept.
+        self.leftovers.sweep();
     }
 }
 
@@ -293,16 +305,34 @@ impl Finished {
         let done = self.frames.get(&frame)?;
         (files_as_they_are(files)? == done.files).then_some(&done.rows)
     }
+}
 
-    /// Removes what killed processes of this run had begun to write in these folders. To be called
-    /// before this process writes anything: numbers of processes are given again.
-    fn sweep(&self, outputs: &[&Path], journal: &Path) {
-        let own = std::process::id();
-        let is_over = |process: &u32| {
-            *process == own || !Path::new("/proc").join(process.to_string()).exists()
+impl Leftovers {
+    /// Those of the run's processes that are over; this process has not written anything yet.
+    fn of(finished: &Finished, outputs: &[&Path], journal: &Path) -> Self {
+        // Numbers of processes are given again.
+        let is_over = |process: &u32| !Path::new("/proc").join(process.to_string()).exists();
+        let folders = outputs.iter().copied().chain([journal]);
+        let all = Self {
+            processes: finished.processes.clone(),
+            folders: folders.map(Path::to_owned).collect(),
         };
-        let over: Vec<u32> = self.processes.iter().copied().filter(is_over).collect();
-        for folder in outputs.iter().copied().chain([journal]) {
+        let own = std::process::id();
+        if all.processes.contains(&own) {
+            all.sweep_of(&[own]);
+        }
+        Self {
+            processes: all.processes.iter().copied().filter(is_over).collect(),
+            ..all
+        }
+    }
+
+    fn sweep(&self) {
+        self.sweep_of(&self.processes);
+    }
+
+    fn sweep_of(&self, processes: &[u32]) {
+        for folder in &self.folders {
             let folder = match folder.as_os_str().is_empty() {
                 true => Path::new("."),
                 false => folder,
@@ -314,7 +344,7 @@ impl Finished {
                     let begun = format!(".motes-{process}-");
                     name.to_str().is_some_and(|name| name.starts_with(&begun))
                 };
-                if over.iter().any(is_theirs) {
+                if processes.iter().any(is_theirs) {
                     // It is hidden and of no use; that it stays harms nothing.
                     let _ = fs::remove_file(entry.path());
                 }
