@@ -8,14 +8,19 @@
 //!    (the user)   (checked)  (pure)    cpu --+--> simulation --> cli, output, check
 //! ```
 //!
-//! Imports run one way, left to right. [`scene`] is what the user wrote, checked. [`plan`] makes of
+//! Imports run one way, left to right. [`scene`] is what the user wrote, checked; [`scene::schema`] is
+//! the one table of its keys, from which come the reader's checks, the JSON Schema for editors, the
+//! reference page and the list of knobs ([`scene::knobs()`]). [`plan`] makes of
 //! it named buffers, the stages of a frame ([`plan::STAGES`]: reading the table is reading the
 //! frame) and, for any frame, one [`plan::FrameInputs`] with everything that reaches it from
 //! outside. Two backends run a plan: [`gpu`] expands each stage into WGSL kernels
 //! ([`gpu::STAGE_KERNELS`]), [`cpu`] runs their twins with rayon; both are a
 //! [`backend::Backend`]. [`simulation`] is the front door of the library, [`cli`] that of the
 //! program, [`check`] holds two backends against each other. A [`recording`] is the list of changes
-//! made while a scene ran.
+//! made while a scene ran, a [`simulation::Snapshot`] its whole state, which goes on with the same bits
+//! on any exact adapter. [`output`] writes files, each whole or not at all; JSON is written by one
+//! private module. That a stopped render goes on is the program's doing: it keeps a journal of finished
+//! frames, and snapshots, beside its output.
 //!
 //! A stage has one basename: `wgsl/particles/advance.wgsl` and `src/cpu/particles/advance.rs`.
 //! What Rust and WGSL share stands once in each: [`layout`], [`exact`], [`transcendental`], [`rng`],
@@ -72,7 +77,8 @@
 //!
 //! An application with a wgpu device of its own hands it over ([`gpu::GpuDevice::from_wgpu`]) and
 //! has the picture drawn into its textures ([`Simulation::draw_into`]), or draws the particles
-//! itself ([`Simulation::particle_buffers`]). Scenes are edited while they run by
+//! itself ([`Simulation::particle_buffers`]); errors of its own work reach its own callbacks as before.
+//! Scenes are edited while they run by
 //! [`Simulation::turn`]. `examples/` shows each of these at work.
 //!
 //! Everything that can fail says how in a type: [`SimulationError`] has all that a simulation can

@@ -2,6 +2,8 @@
 
 mod adapters;
 mod check;
+mod completions;
+mod man;
 mod render;
 mod scenes;
 mod schema;
@@ -44,6 +46,10 @@ enum Command {
     Scenes(scenes::ScenesArgs),
     /// Describe every key of a scene file, for editors or for people
     Schema(schema::SchemaArgs),
+    /// Write what has a shell complete commands at the Tab key
+    Completions(completions::CompletionsArgs),
+    /// Write the manual's pages
+    Man(man::ManArgs),
 }
 
 /// What a command has to say when it cannot do its work, and with which exit code.
@@ -198,6 +204,8 @@ pub fn main() -> u8 {
         Command::Adapters(args) => adapters::run(&args),
         Command::Scenes(args) => scenes::run(&args),
         Command::Schema(args) => schema::run(&args),
+        Command::Completions(args) => completions::run(&args),
+        Command::Man(args) => man::run(&args),
     };
     match result {
         Ok(code) => code,
@@ -205,6 +213,21 @@ pub fn main() -> u8 {
             note!("{}", e.message.trim_end());
             e.code
         }
+    }
+}
+
+/// Whether the program would take this command line, its own name first. Nothing is run: scenes,
+/// files and adapters are not looked for.
+///
+/// # Errors
+/// The message that the program would print, with exit code 2; that of `--help` or `--version`, with 0.
+pub fn parse(arguments: &[&str]) -> Result<(), CliError> {
+    match Cli::try_parse_from(arguments) {
+        Ok(_) => Ok(()),
+        Err(e) => Err(CliError {
+            message: e.to_string(),
+            code: u8::from(e.use_stderr()) * 2,
+        }),
     }
 }
 

@@ -75,6 +75,7 @@ fn the_readmes_commands_work() {
         .filter_map(|line| line.strip_prefix("name = \""));
     let names: Vec<_> = names.map(|rest| rest.trim_end_matches('"')).collect();
     assert!(!names.is_empty(), "the fountain has systems");
+    let mut said = String::new();
     for command in commands {
         let command = command
             .split_once('#')
@@ -108,11 +109,20 @@ fn the_readmes_commands_work() {
             arguments.join(" "),
             ended.stderr
         );
+        said += &ended.stderr;
     }
+    let (_, closing) = README
+        .split_once("\n    motes: wrote jet.png")
+        .expect("the README shows a closing line");
+    let (closing, _) = closing.split_once(" in ").expect("it ends in seconds");
+    let closing = format!("motes: wrote jet.png{closing} in ");
+    assert!(said.contains(&closing), "{closing} is not in\n{said}");
     let written = [
         "jet-0060.png",
         "jet-0089.png",
+        "jet-particles.exr",
         "jet.csv",
+        "jet.exr",
         "jet.gif",
         "jet.png",
     ];
