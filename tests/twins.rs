@@ -56,8 +56,10 @@ fn what_moves_blows_and_ends_particles_is_the_same() {
 
 #[test]
 fn glaring_light_and_streaks_across_the_edges_are_the_same() {
-    let plan = Plan::new(&glaring(), 6).expect("the scene can be planned");
-    assert_twins(&plan, &frames_of(&plan, 6), &small_pages());
+    for scene in [glaring(), cut_corners()] {
+        let plan = Plan::new(&scene, 3).expect("the scene can be planned");
+        assert_twins(&plan, &frames_of(&plan, 3), &small_pages());
+    }
 }
 
 #[test]

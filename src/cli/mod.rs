@@ -231,13 +231,13 @@ pub fn parse(arguments: &[&str]) -> Result<(), CliError> {
     }
 }
 
-/// Progress with rate and time left on a terminal, nothing in a pipe.
-pub(crate) fn progress_bar(frames: u64) -> ProgressBar {
+/// Progress with rate and time left on a terminal, nothing in a pipe; `of_what`, e.g. `frames`.
+pub(crate) fn progress_bar(count: u64, of_what: &'static str) -> ProgressBar {
     if !std::io::stderr().is_terminal() {
         return ProgressBar::hidden();
     }
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} frames, {rate}, {eta} left")
-        .map(|style| {
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg}, {rate}, {eta} left").map(
+        |style| {
             style.with_key(
                 "rate",
                 |state: &ProgressState, out: &mut dyn std::fmt::Write| {
@@ -245,8 +245,9 @@ pub(crate) fn progress_bar(frames: u64) -> ProgressBar {
                     let _ = write!(out, "{:.1} a second", state.per_sec());
                 },
             )
-        });
-    let bar = ProgressBar::new(frames);
+        },
+    );
+    let bar = ProgressBar::new(count).with_message(of_what);
     match style {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,

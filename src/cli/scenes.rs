@@ -5,6 +5,9 @@ use crate::json::Json;
 use crate::scene::schema::Kind;
 use crate::scene::{BUILTIN, Knob, KnobValue, knobs, load};
 
+/// Columns of a terminal that nobody has widened.
+const COLUMNS: usize = 80;
+
 /// Arguments of `motes scenes`.
 #[derive(Debug, clap::Args)]
 pub(super) struct ScenesArgs {
@@ -51,18 +54,14 @@ pub(super) fn run(args: &ScenesArgs) -> Result<u8, CliError> {
         return Ok(0);
     }
     let mut text = String::new();
+    let width = BUILTIN.iter().map(|it| it.name.len()).max().unwrap_or(0);
     for builtin in BUILTIN {
         let scene = load(builtin.name)?;
-        let about = scene
-            .description
-            .split_whitespace()
-            .collect::<Vec<_>>()
-            .join(" ");
+        let about = wrapped(&scene.description, width + 1);
         text += &format!(
-            "{:<12} {}\n{:<12} {about}\n{:<12} {} frames at {} a second, {}x{}, {} systems\n",
+            "{:<width$} {}\n{about}{:<width$} {} frames at {} a second, {}x{}, {} systems\n",
             builtin.name,
             scene.title,
-            "",
             "",
             scene.frames,
             scene.frame_rate,
@@ -73,6 +72,21 @@ pub(super) fn run(args: &ScenesArgs) -> Result<u8, CliError> {
     }
     print(&text)?;
     Ok(0)
+}
+
+/// The text in lines of at most [`COLUMNS`] columns, each begun with `indent` spaces.
+fn wrapped(text: &str, indent: usize) -> String {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + 1 + word.chars().count() <= COLUMNS => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(format!("{:indent$}{word}", "")),
+        }
+    }
+    lines.into_iter().map(|line| line + "\n").collect()
 }
 
 /// For people: a line as `--set` takes it, and one about it.

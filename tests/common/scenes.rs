@@ -390,3 +390,38 @@ size = 0.001
     scene.systems.splice(0..0, dust.systems.drain(..));
     scene
 }
+
+/// Streaks that cut the corners of the picture: they begin beyond one edge and end beyond another,
+/// both ways around each corner.
+pub(crate) fn cut_corners() -> Scene {
+    let mut systems = String::new();
+    for (right, up) in [(-1.0, 1.0), (1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+        // From above or below to the side, and back.
+        for (along, across, way) in [(-0.7, 0.3, -1.0), (0.3, -0.7, 1.0)] {
+            let (x, y) = (right * (2.186 + along), up * (1.657 + across));
+            // Turned about x and then about y, local +z points (right, up) or away from it.
+            let (about_x, about_y) = (-45.0 * up * way, -90.0 * right * way);
+            systems += &format!(
+                r#"
+[[system]]
+name = "s{}"
+position = [{x}, {y}, 0]
+rotation_degrees = [{about_x}, {about_y}]
+initial_mean_parts = 12
+generation_shape = {{ kind = "sphere", radius = 0.2 }}
+ejection_axis = "up"
+speed = {{ mean = 1.4, var = 0.2 }}
+lifetime = 1
+color = [0.3, 0.2, 0.1]
+size = 0.04
+particle_shape = "streak"
+"#,
+                systems.matches("name").count()
+            );
+        }
+    }
+    scene_of(&format!(
+        "frames = 3\n[image]\nwidth = 62\nheight = 47\nshutter = 1\n[camera]\n\
+         position = [0, 0, 4]\ntarget = [0, 0, 0]\n{systems}"
+    ))
+}

@@ -1,7 +1,6 @@
 //! Changes that make no difference that a comparison could see, and why.
 
-/// Kernel (`*`: any), description (a trailing `*`: what begins so; a leading one: what ends so),
-/// reason.
+/// Kernel (`*`: any), description (a `*` stands for anything), reason.
 type Explanation = (&'static str, &'static str, &'static str);
 
 #[rustfmt::skip] // one explanation a line
@@ -44,6 +43,45 @@ static EXPLAINED: &[Explanation] = &[
     ("lib/footprint", "const FEW_CELLS: 2048u -> 2049u", "tells only on footprints of 2,049 cells, and there by the last bit of a sum"),
     ("lib/footprint", "gain_of: (major < last) -> LessEqual", "one row more, beyond the reach: its weights are 0"),
     ("lib/footprint", "is_visible: end.x -> member y", "looks at more of what is outside and covers nothing; only a streak from beyond a corner would tell"),
+    ("lib/footprint", "is_visible: end.y -> member depth", "depths are never negative: looks at more of what is outside and covers nothing"),
+    ("lib/footprint", "is_visible: start.y -> member depth", "depths are never negative: looks at more of what is outside and covers nothing"),
+    ("lib/footprint", "is_visible: 2.0f -> 4.0f in (radius_px + 2.0f)", "looks at more of what is outside and covers nothing"),
+    ("lib/footprint", "is_visible: ? = less() -> omitted", "looks at more of what is outside and covers nothing"),
+    ("lib/footprint", "square_weight_at: shape.reach -> member minor_reach", "a square's sides are the axes: the two are the same"),
+    ("lib/footprint", "footprint_of: shape.gain = 1.0f -> omitted", "a square's, whose weights need none; others get theirs later"),
+    ("lib/footprint", "footprint_of: 1.0f -> 2.0f", "a square's gain, whose weights need none"),
+    ("lib/footprint", "footprint_of: 1.0f -> -1.0f", "a square's gain, whose weights need none"),
+    ("lib/footprint", "footprint_of: 0.0f -> -1.0f", "of a clamp of what is never negative"),
+    ("lib/footprint", "const SQUARE: 2u -> 3u", "a code that has to differ from the others, and does"),
+    ("lib/footprint", "footprint_of: shape.kind = SMALL_DISC -> omitted", "its code is 0, which variables begin as"),
+    ("lib/footprint", "footprint_of: shape.last -> member minor_size", "of the number of cells, which decides only who draws: the same light"),
+    ("lib/footprint", "footprint_of: shape.cells = *", "decides only who draws: one invocation or many, the same light"),
+    ("lib/footprint", "const MOST_RADIUS_PX: 16384.0f -> 32768.0f", "four times the largest picture or eight times, it is all covered"),
+    ("lib/footprint", "footprint_of: -16777216i -> *", "rows that far are far from every picture"),
+    ("lib/footprint", "minor_range: 1i -> 2i in (to_i32() + 1i)", "a pixel more, beyond the reach: its weight is 0"),
+    ("lib/footprint", "gain_of: (cells <= FEW_CELLS) -> Less", "tells only on footprints of 2,048 cells, and there by the last bit of a sum"),
+    ("lib/footprint", "footprint_of: 0.0f -> -1.0f in select(0.0f, (inverse_length * inverse_length), moves)", "of a footprint at rest, whose way along itself is 0 whatever it is multiplied by"),
+    ("lib/footprint", "gain_of: 1.0f -> 2.0f", "of a clamp: radii for which it would matter have been left before"),
+    ("lib/footprint", "gain_of: ? = LogicalNot(less()) -> omitted", "the share of a large disc is 1, and so is its gain in the end"),
+    ("lib/footprint", "const LARGE_RADIUS_PX: 4.0f -> 8.0f", "the share of a disc between them is 1, and so is its gain in the end"),
+    ("lib/footprint", "const SMALL_DISC: 0u -> 4294967295u", "a code that has to differ from the others, and does"),
+    ("lib/footprint", "footprint_of: shape.reach -> member minor_reach", "of what is at rest the two are the same; else a row more, whose weights are 0"),
+    ("lib/footprint", "footprint_of: 0.0f -> * in select(0.0f, select(dx, dy, steep), moves)", "of a footprint at rest, which has no way: at most a row more, whose weights are 0"),
+    ("lib/footprint", "footprint_of: 0.0f -> * in select(0.0f, select(dy, dx, steep), moves)", "of a footprint at rest, which has no way: at most a row more, whose weights are 0"),
+    ("lib/footprint", "footprint_of: 0.0f -> 1.0f in select(0.0f, (inverse_length * inverse_length), moves)", "of a footprint at rest, whose way along itself is 0 whatever it is multiplied by"),
+    ("lib/footprint", "const FARTHEST_PX: *", "rows that far are far from every picture"),
+    ("lib/footprint", "const LONGEST_PX: *", "spans that long have too many cells for one invocation, however they are counted"),
+    ("lib/footprint", "footprint_of: Bool(true) -> Bool(false)", "a square is the same along both axes"),
+    ("lib/footprint", "footprint_of: ? = Bool(true) -> omitted", "a square is the same along both axes"),
+    ("lib/footprint", "span: 0i -> 1i in Clamp((last - first), 0i, LONGEST_PX)", "of the number of cells, which decides only who draws: the same light"),
+    ("lib/footprint", "footprint_of: shape.kind -> member cells", "of a small disc, whose kind and number of cells are both 0"),
+    ("lib/footprint", "overlap: 0.0f -> -1.0f", "pixels of the ranges at least touch the square"),
+    ("lib/footprint", "minor_range: 0.5f -> 1.0f in (f32_of_i32() + 0.5f)", "pixels count by their centres, half a pixel inside: what the range loses has no weight"),
+    ("lib/footprint", "footprint_of: (span() * Min(across, Uint(_))) -> Add", "of the number of cells, which decides only who draws: the same light"),
+    ("lib/footprint", "footprint_of: shape.first -> member last", "of the number of cells, which decides only who draws; or of the first row, which becomes the picture's edge"),
+    ("lib/footprint", "footprint_of: shape.first = Max(first, 0i) -> omitted", "begins at the picture's edge instead: before the reach, weights are 0"),
+    ("lib/footprint", "footprint_of: shape.minor_size -> member first", "of the number of cells, which decides only who draws: the same light"),
+    ("lib/footprint", "is_visible: 0.0f -> 1.0f", "a pixel less of a margin of two, where nothing is covered"),
     ("lib/footprint", "is_visible: 0.0f -> -1.0f", "a pixel more of a margin of two, where nothing is covered"),
     ("lib/emission", "on_sphere: 0.0f -> -1.0f", "1 - z z is never negative, and the root of what is negative is 0"),
     ("lib/emission", "axis_of: axis = up -> omitted", "an axis of zeros becomes up in the end"),
@@ -99,10 +137,12 @@ fn fits(explanation: &Explanation, kernel: &str, description: &str) -> bool {
     let (of, what, _) = explanation;
     let is_kernel = *of == "*" || *of == kernel;
     is_kernel
-        && match (what.strip_prefix('*'), what.strip_suffix('*')) {
-            (Some(end), _) => description.ends_with(end),
-            (None, Some(start)) => description.starts_with(start),
-            (None, None) => description == *what,
+        && match what.split_once('*') {
+            Some((start, end)) => {
+                let rest = description.strip_prefix(start);
+                rest.is_some_and(|rest| rest.ends_with(end))
+            }
+            None => description == *what,
         }
 }
 

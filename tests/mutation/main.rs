@@ -47,7 +47,8 @@ fn is_verbose() -> bool {
     std::env::var_os("MOTES_VERBOSE").is_some()
 }
 
-/// Tries the changes of one file; `differs` says how one is seen to be wrong, or that it makes no
+/// Tries the changes of one file, or those of them whose description has what the variable
+/// `MOTES_CHANGE` says in it; `differs` says how one is seen to be wrong, or that it makes no
 /// valid kernel.
 fn try_all(
     file: &str,
@@ -61,6 +62,8 @@ fn try_all(
     };
     let mut order: Vec<usize> = (0..sites.len()).collect();
     order.sort_by_key(|at| hash(*at as u32));
+    let wanted = std::env::var("MOTES_CHANGE").unwrap_or_default();
+    order.retain(|at| sites[*at].description.contains(&wanted));
     for at in order {
         let what = &sites[at].description;
         let tried = tally.caught + tally.explained + tally.unexplained.len();

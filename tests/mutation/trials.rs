@@ -261,6 +261,7 @@ pub(crate) fn trials() -> Vec<Trial> {
             LARGE,
         ),
         Trial::new("glaring", unchanging(&glaring(), 6), 64, LARGE),
+        Trial::new("cut corners", unchanging(&cut_corners(), 2), 64, LARGE),
         Trial::new(
             "large in a second page",
             unchanging(&large_shapes_in_a_second_page(), 2),

@@ -55,7 +55,7 @@ fn ffmpeg_gets_every_frame_with_even_sides_and_makes_the_film() {
     assert!(told.contains(wrote), "{told}");
     assert_eq!(studio.files(), ["arguments.txt", "bytes.bin", "deep"]);
     assert_eq!(names_in(&studio.path("deep")), set(&["a.mp4"]));
-    assert_eq!(fs::read(studio.path("deep/a.mp4")).unwrap().len(), 40);
+    assert_eq!(fs::read(studio.path("deep/a.mp4")).unwrap().len(), 36);
 
     let bytes = fs::read(studio.path("bytes.bin")).unwrap();
     let (columns, rows) = EVEN;

@@ -265,3 +265,27 @@ fn every_table_with_a_kind_must_have_a_known_one() {
         assert_eq!(error.line(), Some(header), "{error}");
     }
 }
+
+#[test]
+fn births_that_slipped_into_a_table_below_are_told_with_their_place() {
+    let text = r#"[camera]
+position = [0, 0, 5]
+target = [0, 0, 0]
+[[system]]
+name = "jet"
+generation_shape = { kind = "sphere", radius = 1 }
+speed = 0.1
+lifetime = 9
+color = [0.1, 0.1, 0.1]
+size = 0.1
+[[system.extinction]]
+kind = "distance"
+distance = 3
+direction = [0, 1, 0]
+initial_mean_parts = 100
+"#;
+    let error = parse(text, FILE, "test").expect_err("nothing is born");
+    assert_eq!(error.line(), Some(15), "{error}");
+    assert!(error.help().contains("[[system]]"), "{error}");
+    assert!(error.help().contains("above the headers"), "{error}");
+}

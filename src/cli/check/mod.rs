@@ -185,7 +185,7 @@ fn jobs(args: &CheckArgs) -> Result<Vec<Job>, CliError> {
 
 /// Checks one scene, tells about it and puts it into the report.
 fn check_scene(args: &CheckArgs, job: &Job, report: &mut Report) -> Result<(), CliError> {
-    let bar = progress_bar(job.frames.into());
+    let bar = progress_bar(job.frames.into(), "frames");
     let begun = Instant::now();
     let result = compare(
         &job.plan,

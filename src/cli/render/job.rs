@@ -79,7 +79,9 @@ impl Job<'_> {
         }
         let first = self.enter(simulation, next, &mut summary)?;
         let end = frames.end as i32;
-        let progress = progress_bar((i64::from(end) - i64::from(first)) as u64);
+        // What is stepped on the way goes by much quicker than what is drawn.
+        let on_the_way = (i64::from(next) - i64::from(first)).max(0) as u64;
+        let mut progress = progress_bar(on_the_way, "steps on the way");
         let mut snapshot_due = Instant::now() + self.snapshot_every;
         for frame in first..end {
             if let Some(code) = self.interrupt.exit_code() {
@@ -88,6 +90,10 @@ impl Job<'_> {
                 return Ok(summary);
             }
             simulation.step()?;
+            if frame == next as i32 {
+                progress.finish_and_clear();
+                progress = progress_bar(u64::from(frames.end - next), "frames");
+            }
             let drawn = frame >= next as i32;
             if drawn {
                 self.frame(simulation, scene, frame.cast_unsigned(), &mut summary)?;

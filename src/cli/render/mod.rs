@@ -199,6 +199,9 @@ fn journal(
         note!("motes: going on after {count} finished frames");
         return Ok(Some((journal, finished)));
     }
+    if args.resume {
+        note!("motes: no stopped run of this is here; beginning with its first frame");
+    }
     let journal = Journal::begin(&folder, identity, &outputs)?;
     Ok(Some((journal, Finished::default())))
 }

@@ -39,8 +39,8 @@ fn is_lit(picture: &Picture) -> bool {
             pixels.iter().any(|pixel| Some(pixel) != pixels.first())
         }
         Picture::Linear(image) => {
-            let mut pixels = image.pixels.iter();
-            pixels.any(|pixel| Some(pixel) != image.pixels.first())
+            let (pixels, _) = image.pixels.as_chunks::<3>();
+            pixels.iter().any(|pixel| Some(pixel) != pixels.first())
         }
     }
 }

@@ -53,7 +53,6 @@ fn system(index: usize, node: &Node) -> Result<System, SceneError> {
             [table.must("birth_moment", choice)?],
         particle_space: [ParticleSpace::System, ParticleSpace::World]
             [table.must("particle_space", choice)?],
-        births: births(&table)?,
         birth_rounding: roundings[table.must("birth_rounding", choice)?],
         generation_shape: shape,
         ejection_axis: table
@@ -77,6 +76,8 @@ fn system(index: usize, node: &Node) -> Result<System, SceneError> {
         intensity: [Intensity::Brightest, Intensity::Luminance][table.must("intensity", choice)?],
         extinctions: table.must("extinction", |spot| list(spot, |_, spot| extinction(spot)))?,
         light_distance: table.may("light_distance", Quantity::read)?,
+        // Last: where there are none, they may have slipped into a table below, which says so.
+        births: births(&table)?,
     };
     check::frames(system.first_frame, system.end_frame, &table)?;
     check::triggers(&system, &table)?;
