@@ -398,7 +398,10 @@ pub(crate) fn cut_corners() -> Scene {
     for (right, up) in [(-1.0, 1.0), (1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
         // From above or below to the side, and back.
         for (along, across, way) in [(-0.7, 0.3, -1.0), (0.3, -0.7, 1.0)] {
-            let (x, y) = (right * (2.186 + along), up * (1.657 + across));
+            // Drawn after its first step, of 0.99 in each direction.
+            let step: f64 = 0.99 * way;
+            let x = right * (2.186 + along + step);
+            let y = up * (1.657 + across - step);
             // Turned about x and then about y, local +z points (right, up) or away from it.
             let (about_x, about_y) = (-45.0 * up * way, -90.0 * right * way);
             systems += &format!(
