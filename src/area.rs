@@ -1,7 +1,7 @@
 //! The screen area of a particle system (Reeves 1983, 2.1), the twin of `wgsl/lib/area.wgsl`.
 
 use crate::exact::{
-    clamp_exact, f32_of_u32, less, max_exact, reciprocal, shared_constants, square_root,
+    at_least_zero, clamp_exact, f32_of_u32, less, reciprocal, shared_constants, square_root,
 };
 use crate::layout::{FRAME_ORTHOGRAPHIC, Frame};
 
@@ -38,7 +38,7 @@ pub fn screen_area_px(view: &Frame, sphere: [f32; 4]) -> f32 {
     let mut area = 0.0;
     for at in 0..SLABS {
         let dy = top + (f32_of_u32(at) + 0.5) * slab - y;
-        let half = square_root(max_exact(radius * radius - dy * dy, 0.0));
+        let half = square_root(at_least_zero(radius * radius - dy * dy));
         let left = clamp_exact(x - half, 0.0, width);
         let right = clamp_exact(x + half, 0.0, width);
         area += (right - left) * slab;

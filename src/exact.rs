@@ -107,6 +107,18 @@ pub fn max_exact(a: f32, b: f32) -> f32 {
     if less(a, b) { snap(b) } else { snap(a) }
 }
 
+/// `max_exact(x, 0.0)`.
+#[inline]
+pub fn at_least_zero(x: f32) -> f32 {
+    if x >= SMALLEST { x } else { 0.0 }
+}
+
+/// `x` within `0 ..= 1`, snapped.
+#[inline]
+pub fn clamp_unit(x: f32) -> f32 {
+    if x > 1.0 { 1.0 } else { at_least_zero(x) }
+}
+
 /// `x` within `low ..= high`, snapped, where `low <= high` (else `high`).
 #[inline]
 pub fn clamp_exact(x: f32, low: f32, high: f32) -> f32 {
@@ -160,6 +172,16 @@ pub fn to_i32(x: f32) -> i32 {
     } else {
         raised
     }) as i32
+}
+
+/// The largest integer that is not above `x`, clamped to 0 ..= 2^30; NaN gives 0.
+#[inline]
+pub fn to_u32(x: f32) -> u32 {
+    (if x > INTEGER_LIMIT {
+        INTEGER_LIMIT
+    } else {
+        at_least_zero(x)
+    }) as i32 as u32
 }
 
 /// `i`, clamped to -2^24 ..= 2^24, as a float: exact.

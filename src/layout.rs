@@ -281,8 +281,8 @@ pub struct Frame {
     pub layer_plane_count: u32,
     /// The layer that is drawn, from 1; 0 for all.
     pub layer: u32,
-    /// Unused.
-    pub spare: u32,
+    /// No particle dies of age before it has this many frames.
+    pub least_lifetime: u32,
 }
 
 /// How many; one record, kept on the device from frame to frame.

@@ -4,7 +4,7 @@
 
 use glam::{Vec3, Vec4};
 
-use crate::exact::{floor_exact, less, max_exact, shared_constants, to_i32};
+use crate::exact::{at_least_zero, floor_exact, less, shared_constants, to_i32};
 
 shared_constants! {
     /// Simplices a unit.
@@ -31,14 +31,25 @@ shared_constants! {
 /// Skewing maps this many units to whole periods of [`CELL_MASK`] + 1 cells along all axes.
 pub const PERIOD: f64 = 24_576.0;
 
+/// What a cell's coordinates add to the hash of its corner.
+#[inline]
+fn hash_share([x, y, z]: [u32; 3]) -> [u32; 3] {
+    [
+        (x & CELL_MASK).wrapping_mul(CELL_X),
+        (y & CELL_MASK).wrapping_mul(CELL_Y),
+        (z & CELL_MASK).wrapping_mul(CELL_Z),
+    ]
+}
+
 /// The random gradient of a corner: components symmetric around zero, at most a half.
 #[inline]
 pub fn corner_gradient(x: u32, y: u32, z: u32, key: u32) -> Vec3 {
-    let mut h = (x & CELL_MASK)
-        .wrapping_mul(CELL_X)
-        .wrapping_add((y & CELL_MASK).wrapping_mul(CELL_Y))
-        .wrapping_add((z & CELL_MASK).wrapping_mul(CELL_Z))
-        .wrapping_add(key);
+    gradient_of(hash_share([x, y, z]), key)
+}
+
+#[inline]
+fn gradient_of(share: [u32; 3], key: u32) -> Vec3 {
+    let mut h = share.iter().fold(key, |sum, part| sum.wrapping_add(*part));
     h = (h ^ (h >> 16)).wrapping_mul(ROUND_A);
     h = (h ^ (h >> 15)).wrapping_mul(ROUND_B);
     h ^= h >> 15;
@@ -52,7 +63,7 @@ pub fn corner_gradient(x: u32, y: u32, z: u32, key: u32) -> Vec3 {
 /// What a corner adds, seen from it at `d`: the gradient, and the value in w.
 #[inline]
 fn from_corner(slope: Vec3, d: Vec3) -> Vec4 {
-    let t = max_exact(REACH_SQUARED - (d.x * d.x + d.y * d.y + d.z * d.z), 0.0);
+    let t = at_least_zero(REACH_SQUARED - (d.x * d.x + d.y * d.y + d.z * d.z));
     let t2 = t * t;
     let t4 = t2 * t2;
     let rise = slope.x * d.x + slope.y * d.y + slope.z * d.z;
@@ -92,9 +103,17 @@ pub fn noise(p: Vec3, key: u32) -> Vec4 {
         !x_over_y || y_over_z,
         !x_over_z || !y_over_z,
     ];
+    let here = hash_share([x, y, z]);
+    let beyond = hash_share([x, y, z].map(|at| at.wrapping_add(1)));
     let corner = |steps: [bool; 3]| {
-        let [i, j, k] = steps.map(u32::from);
-        corner_gradient(x.wrapping_add(i), y.wrapping_add(j), z.wrapping_add(k), key)
+        let share = std::array::from_fn(|axis| {
+            if steps[axis] {
+                beyond[axis]
+            } else {
+                here[axis]
+            }
+        });
+        gradient_of(share, key)
     };
     let to = |steps: [bool; 3]| Vec3::from(steps.map(|step| if step { 1.0 } else { 0.0 }));
     let near_corners = from_corner(corner([false; 3]), d)

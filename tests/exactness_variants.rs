@@ -134,6 +134,17 @@ fn pages_of_a_mebibyte_change_nothing() {
     assert_eq!(on_gpu(&plan, crowd.frames), expected);
 }
 
+/// Light in limbs alone, particles in words of 32 bits: what devices without 64-bit integers do.
+#[test]
+fn narrow_kernels_change_nothing() {
+    let of = |workgroup_size| GpuOptions {
+        workgroup_size,
+        narrow: true,
+        ..GpuOptions::default()
+    };
+    assert_same([0, 64].map(of));
+}
+
 #[test]
 fn checked_kernels_change_nothing() {
     let of = |page_bytes| GpuOptions {

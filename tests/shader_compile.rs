@@ -180,11 +180,16 @@ fn every_kernel_compiles_at_every_size_and_is_decorated() {
     for kernel in KERNELS.iter().chain(YARDSTICKS) {
         for workgroup_size in [64, 128, 256] {
             for checked in [false, true] {
-                for off in [&[][..], &["THRESHOLDS", "STREAKS", "RECTANGLES"]] {
+                for (off, wide) in [
+                    (&[][..], false),
+                    (&[][..], true),
+                    (&["THRESHOLDS", "STREAKS", "RECTANGLES"][..], false),
+                ] {
                     let options = CompileOptions {
                         workgroup_size,
                         checked,
                         off,
+                        wide,
                         mutate: None,
                     };
                     match shader::compile(kernel.name, &options) {

@@ -61,10 +61,12 @@ fn assert_scans(plan: &Plan, frames: &[FrameInputs], options: &GpuOptions) {
                         alive.truncate(present.len());
                     }
                     "scan/spread_bits" => {
-                        let got: Vec<u32> = read(&mut gpu, "word_offsets");
+                        let got: Vec<u32> = read(&mut gpu, "word_ranks");
                         let mut before = 0;
                         for (word, bits) in alive.chunks(32).enumerate() {
-                            assert_eq!(got[word], before, "{place}: word {word}");
+                            let expected = bits.iter().rev().fold(0, |w, b| w << 1 | u32::from(*b));
+                            let ranks = &got[word * 2..][..2];
+                            assert_eq!(ranks, [before, expected], "{place}: word {word}");
                             before += bits.iter().filter(|alive| **alive).count() as u32;
                         }
                     }

@@ -3,7 +3,7 @@
 
 use glam::{UVec4, Vec3};
 
-use crate::exact::{cross3, dot3, less, max_exact, normalize_exact, reciprocal, square_root};
+use crate::exact::{at_least_zero, cross3, dot3, less, normalize_exact, reciprocal, square_root};
 use crate::layout::{
     ROW_ANGLE_UNIFORM, ROW_AROUND, ROW_OUTWARD, SHAPE_CIRCLE, SHAPE_CONE, SHAPE_RING, SHAPE_SPHERE,
     SystemRow,
@@ -21,7 +21,7 @@ pub(crate) struct Birthplace {
 /// The unit vector at height z on the sphere, `turns` around the z axis.
 #[inline]
 fn on_sphere(z: f32, turns: f32) -> Vec3 {
-    let ring = square_root(max_exact(1.0 - z * z, 0.0));
+    let ring = square_root(at_least_zero(1.0 - z * z));
     Vec3::new(ring * cos_turns(turns), ring * sin_turns(turns), z)
 }
 

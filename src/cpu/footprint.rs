@@ -3,8 +3,8 @@
 
 use crate::cpu::projection::Projected;
 use crate::exact::{
-    clamp_exact, f32_of_i32, inverse_square_root, less, max_exact, min_exact, reciprocal,
-    shared_constants, square_root, to_i32,
+    at_least_zero, clamp_unit, f32_of_i32, inverse_square_root, less, max_exact, min_exact,
+    reciprocal, shared_constants, square_root, to_i32,
 };
 use crate::layout::{FRAME_EYE, Frame};
 
@@ -17,14 +17,16 @@ shared_constants! {
     pub(crate) const FEW_CELLS: u32 = 2048;
     /// A disc of at least this radius needs no gain; below half of it, all of it.
     const LARGE_RADIUS_PX: f32 = 4.0;
-    /// A disc at rest that reaches no further than this covers at most nine pixels.
-    const SMALL_REACH_PX: f32 = 1.5;
+    /// A disc at rest that reaches no further than this is smaller than half of the above, and
+    /// covers pixels of a square of so many at a side.
+    const SMALL_REACH_PX: f32 = 2.47;
+    pub(crate) const SMALL_SIDE: u32 = 5;
     /// Pixel coordinates are kept within these, and ranges of them below 2^15.
     const FARTHEST_PX: i32 = 16_777_216;
     const LONGEST_PX: i32 = 32_768;
     /// Invocations that share a footprint of many pixels.
     pub(crate) const SHARES: u32 = 256;
-    /// A disc at rest that covers at most the nine pixels around its centre's.
+    /// A small disc at rest.
     pub(crate) const SMALL_DISC: u32 = 0;
     /// A disc swept along a segment.
     pub(crate) const CAPSULE: u32 = 1;
@@ -71,7 +73,7 @@ pub(crate) fn is_visible(view: &Frame, start: Projected, end: Projected, radius_
 #[inline]
 fn edged_radius(radius_px: f32) -> f32 {
     max_exact(
-        square_root(max_exact(radius_px * radius_px - 0.083_333_336, 0.0)),
+        square_root(at_least_zero(radius_px * radius_px - 0.083_333_336)),
         0.5,
     )
 }
@@ -80,7 +82,7 @@ fn edged_radius(radius_px: f32) -> f32 {
 #[inline]
 fn overlap(pixel: i32, low: f32, high: f32) -> f32 {
     let left = f32_of_i32(pixel);
-    clamp_exact(min_exact(left + 1.0, high) - max_exact(left, low), 0.0, 1.0)
+    clamp_unit(min_exact(left + 1.0, high) - max_exact(left, low))
 }
 
 #[inline]
@@ -95,11 +97,11 @@ impl Footprint {
         let dx = f32_of_i32(major) + 0.5 - self.start_major;
         let dy = f32_of_i32(minor) + 0.5 - self.start_minor;
         let along = (dx * self.along_major + dy * self.along_minor) * self.inverse_length_squared;
-        let t = clamp_exact(along, 0.0, 1.0);
+        let t = clamp_unit(along);
         let ex = dx - t * self.along_major;
         let ey = dy - t * self.along_minor;
         let distance = square_root(ex * ex + ey * ey);
-        clamp_exact(self.reach - distance, 0.0, 1.0) * (self.early + t * self.late)
+        clamp_unit(self.reach - distance) * (self.early + t * self.late)
     }
 
     /// How much of a pixel the square covers, 0 to 1.
@@ -160,7 +162,7 @@ impl Footprint {
         }
         let gain = area * reciprocal(sum);
         let half = 0.5 * LARGE_RADIUS_PX;
-        let share = clamp_exact((radius_px - half) * 0.5, 0.0, 1.0);
+        let share = clamp_unit((radius_px - half) * 0.5);
         if moves {
             gain
         } else {
@@ -213,7 +215,7 @@ impl Footprint {
             minor_size: 0,
         };
         let length = length_squared * inverse_length;
-        let lateness = clamp_exact(0.25 * length * reciprocal(reach), 0.0, 1.0);
+        let lateness = clamp_unit(0.25 * length * reciprocal(reach));
         if moves && view.flags & FRAME_EYE != 0 {
             shape.early = 1.0 - lateness;
             shape.late = 2.0 * lateness;

@@ -3,7 +3,7 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use crate::exact::{f32_of_u32, shared_constants, to_i32};
+use crate::exact::{f32_of_u32, shared_constants, to_u32};
 
 shared_constants! {
     /// Steps of light in 1.0.
@@ -13,7 +13,7 @@ shared_constants! {
 /// A contribution in steps, to the nearest.
 #[inline]
 pub fn steps_of(light: f32) -> u32 {
-    to_i32(light * LIGHT_STEPS + 0.5).max(0) as u32
+    to_u32(light * LIGHT_STEPS + 0.5)
 }
 
 /// The light that the two limbs hold.

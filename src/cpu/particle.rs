@@ -3,7 +3,9 @@
 
 use glam::{UVec4, Vec3, Vec4};
 
-use crate::exact::{clamp_exact, f32_of_u32, max_exact, shared_constants, snap, to_i32};
+use crate::exact::{
+    at_least_zero, clamp_unit, f32_of_u32, max_exact, shared_constants, snap, to_i32,
+};
 use crate::layout::{Particle, ROW_LUMINANCE, SystemRow};
 use crate::plan::FrameInputs;
 use crate::rng::{pcg4d, signed_float, signed4};
@@ -89,10 +91,10 @@ pub fn appearance_of(who: Identity, row: &SystemRow, steps: u32) -> Appearance {
     let half_width = row.color_var;
     let varied = signed4(draw(who, STREAM_RATES)) * Vec4::from(row.color_rate_var);
     let rate = Vec4::from(row.color_rate) + varied;
-    let red = max_exact(mean[0] + signed_float(random.x) * half_width[0], 0.0);
-    let green = max_exact(mean[1] + signed_float(random.y) * half_width[1], 0.0);
-    let blue = max_exact(mean[2] + signed_float(random.z) * half_width[2], 0.0);
-    let clear = clamp_exact(mean[3] + signed_float(random.w) * half_width[3], 0.0, 1.0);
+    let red = at_least_zero(mean[0] + signed_float(random.x) * half_width[0]);
+    let green = at_least_zero(mean[1] + signed_float(random.y) * half_width[1]);
+    let blue = at_least_zero(mean[2] + signed_float(random.z) * half_width[2]);
+    let clear = clamp_unit(mean[3] + signed_float(random.w) * half_width[3]);
     let [size_mean, size_half_width, size_rate, _] = row.size_and_threshold;
     let spread = signed_float(draw(who, STREAM_MOTION).w) * size_half_width;
     let size = max_exact(size_mean + spread, LEAST_SIZE);
@@ -100,12 +102,12 @@ pub fn appearance_of(who: Identity, row: &SystemRow, steps: u32) -> Appearance {
         size_rate + signed_float(draw(who, STREAM_MOMENT).y) * row.ejection_and_light[3];
     Appearance {
         color: Vec3::new(
-            max_exact(red + n * rate.x, 0.0),
-            max_exact(green + n * rate.y, 0.0),
-            max_exact(blue + n * rate.z, 0.0),
+            at_least_zero(red + n * rate.x),
+            at_least_zero(green + n * rate.y),
+            at_least_zero(blue + n * rate.z),
         ),
-        transparency: clamp_exact(clear + n * rate.w, 0.0, 1.0),
-        size: max_exact(size + n * size_rate, 0.0),
+        transparency: clamp_unit(clear + n * rate.w),
+        size: at_least_zero(size + n * size_rate),
     }
 }
 

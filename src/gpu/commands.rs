@@ -317,6 +317,24 @@ impl GpuBackend {
             .collect()
     }
 
+    /// What the limbs of light lack, if some of it is packed.
+    pub(super) fn unpack_command(&self) -> Result<Option<Command>, BackendError> {
+        let kernel = "draw/unpack";
+        if !self.kernels.contains_key(kernel) {
+            return Ok(None);
+        }
+        let pages = Pages {
+            at: [0, 0],
+            particles: None,
+            survivors: None,
+            large: None,
+            words: None,
+        };
+        let (x, y) = dispatch_for(self.width * self.height, self.workgroup_size);
+        self.command(kernel, &pages, &[], Size::Direct(x, y))
+            .map(Some)
+    }
+
     /// The digest of the image, four pixels a record.
     pub(super) fn image_digest_commands(&self) -> Result<Vec<Command>, BackendError> {
         let image = self.memory.named("image")?;

@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex};
 
 use super::adapter::{AdapterDescription, describe};
-use super::needs::{UnfitDevice, check_needs, takes_spirv};
+use super::needs::{UnfitDevice, check_needs, is_wide, takes_spirv};
 use super::watch;
 use crate::backend::BackendError;
 
@@ -105,6 +105,11 @@ impl GpuDevice {
     /// Whether its bits are those of every exact device: whether it takes SPIR-V as it is.
     pub fn is_exact(&self) -> bool {
         self.description.exact
+    }
+
+    /// Whether kernels may use 64-bit integers and their atomic addition.
+    pub(super) fn is_wide(&self) -> bool {
+        is_wide(&self.device)
     }
 
     /// The device, to make textures and pipelines of the caller's own with.

@@ -47,7 +47,10 @@ pub fn check_binding(binding: &Binding) -> Result<(), String> {
         .and_then(|inner| inner.strip_suffix('>'))
         .unwrap_or(&shape.type_name);
     // Words may be looked at four at a time: buffers hold whole fours.
-    let in_fours = *record == "u32" && type_name == "vec4<u32>" && shape.runtime_array;
+    let in_fours = matches!(
+        (*record, type_name),
+        ("u32", "vec4<u32>") | ("u64" | "Particle", "vec4<u64>")
+    ) && shape.runtime_array;
     if !in_fours && (type_name != *record || shape.stride != *stride) {
         return Err(format!(
             "{place}: `{name}` holds {record} of {stride} bytes, not {type_name} of {} bytes",

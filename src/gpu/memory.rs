@@ -85,6 +85,7 @@ impl Memory {
         gpu: &GpuDevice,
         plan: &Plan,
         most_page_bytes: u64,
+        wide: bool,
     ) -> Result<Self, BackendError> {
         let limits = gpu.device.limits();
         let most_binding = limits
@@ -103,7 +104,9 @@ impl Memory {
         let large_bytes = (u64::from(paging.page_len) + 2) * 4;
         let large = iter::repeat_n(("large_particles", large_bytes), pages);
         let single = BUFFERS.iter().filter(|declared| {
-            declared.name != "large_particles" && !matches!(declared.count, Count::ParticlesOver(1))
+            declared.name != "large_particles"
+                && !matches!(declared.count, Count::ParticlesOver(1))
+                && (wide || declared.name != "light_packed")
         });
         let named = single.map(|declared| {
             let records = declared
@@ -166,6 +169,9 @@ impl Memory {
     ) -> Result<(), BackendError> {
         encoder.clear_buffer(self.named("light_low")?, 0, None);
         encoder.clear_buffer(self.named("light_high")?, 0, None);
+        if let Some(packed) = self.named.get("light_packed") {
+            encoder.clear_buffer(packed, 0, None);
+        }
         Ok(())
     }
 }

@@ -36,6 +36,7 @@ use kernel::Kernel;
 use memory::Memory;
 use options::switches_off;
 use readback::StatisticsRing;
+use shader::sources::WIDE_KERNELS;
 use timing::Timer;
 
 pub use adapter::{AdapterDescription, adapters, open};
@@ -120,7 +121,6 @@ impl GpuBackend {
         } else {
             options.page_bytes
         };
-        let memory = Memory::new(gpu, plan, most_page_bytes)?;
         let mut kernels = HashMap::new();
         let off = switches_off(plan);
         let exact = gpu.description.exact && !options.plain;
@@ -129,7 +129,11 @@ impl GpuBackend {
         } else {
             KernelForm::Wgsl
         };
-        for source in shader::sources::KERNELS {
+        let wide = gpu.is_wide() && exact && !options.narrow;
+        let memory = Memory::new(gpu, plan, most_page_bytes, wide)?;
+        let is_run =
+            |name: &&'static shader::sources::Source| wide || !WIDE_KERNELS.contains(&name.name);
+        for source in shader::sources::KERNELS.iter().filter(is_run) {
             let mutate = mutation
                 .filter(|mutation| mutation.kernel == source.name)
                 .map(|mutation| mutation.change);
@@ -139,6 +143,7 @@ impl GpuBackend {
                     workgroup_size,
                     checked: options.checked,
                     off: &off,
+                    wide,
                     mutate,
                 },
             )

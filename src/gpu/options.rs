@@ -23,6 +23,8 @@ pub struct GpuOptions {
     /// Whether the adapter gets plain WGSL though it would take SPIR-V: what adapters that take
     /// none get. This alone may change bits.
     pub plain: bool,
+    /// Whether 64-bit integers are left unused on a device that has them.
+    pub narrow: bool,
     /// Whether kernels are timed, each in a pass of its own.
     pub timed: bool,
 }

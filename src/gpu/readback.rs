@@ -57,6 +57,9 @@ impl GpuBackend {
             }
             return Ok(present);
         }
+        if buffer.starts_with("light_") {
+            self.unpack_light()?;
+        }
         let whole = self.memory.named(buffer)?;
         let pixels = u64::from(self.width) * u64::from(self.height);
         let records = match buffer {

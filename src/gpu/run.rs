@@ -105,6 +105,21 @@ impl GpuBackend {
         Ok(())
     }
 
+    /// Brings all light to the limbs of its channels.
+    pub(super) fn unpack_light(&self) -> Result<(), BackendError> {
+        let Some(command) = self.unpack_command()? else {
+            return Ok(());
+        };
+        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+        {
+            let mut pass = encoder.begin_compute_pass(&Default::default());
+            let dispatches = self.memory.named("dispatches")?;
+            command.encode(&mut pass, &self.kernels, dispatches);
+        }
+        self.gpu.queue.submit([encoder.finish()]);
+        Ok(())
+    }
+
     pub(super) fn counts(&self) -> Result<Counts, BackendError> {
         let words = readback::words(
             &self.gpu,

@@ -71,6 +71,23 @@ pub(super) fn lifetime_bound(
     Ok(longest.min(MOST_LIFETIME))
 }
 
+/// A lifetime that no particle falls short of, at least 1 frame: the least mean at any time less
+/// the greatest half-width.
+pub(super) fn least_lifetime(scenes: &[&Scene]) -> u32 {
+    let of_scene = |scene: &&Scene| {
+        let (least, greatest) = (scene.least(), scene.greatest());
+        let pairs = least.systems.iter().zip(&greatest.systems);
+        let lifetimes = pairs.filter_map(|(least, greatest)| {
+            let (least, greatest) = (least.lifetime?, greatest.lifetime?);
+            // As in the bound above, a hundredth stands for single precision.
+            let fewest = f64::from(least.mean) - f64::from(greatest.var) + 0.49;
+            Some(fewest.floor().max(1.0) as u32)
+        });
+        lifetimes.min().unwrap_or(MOST_LIFETIME)
+    };
+    scenes.iter().map(of_scene).min().unwrap_or(1)
+}
+
 /// A bound on the particles in the pool at any frame below `frame_end`, newborns and those about
 /// to be culled included. `births` is the most that all systems can ask for in a frame.
 pub(super) fn capacity(

@@ -152,7 +152,13 @@ pub static BUFFERS: &[Buffer] = {
         buffer_of("deaths", State, "u32", 4, Count::Fixed(2)),
         buffer_of("sums_1", Scratch, "u32", 4, Count::ParticlesOver(2048)),
         buffer_of("sums_2", Scratch, "u32", 4, Count::ParticlesOver(131_072)),
-        buffer_of("word_offsets", Scratch, "u32", 4, Count::ParticlesOver(32)),
+        buffer_of(
+            "word_ranks",
+            Scratch,
+            "vec2<u32>",
+            8,
+            Count::ParticlesOver(32),
+        ),
         buffer_of(
             "dispatches",
             Scratch,
@@ -169,6 +175,7 @@ pub static BUFFERS: &[Buffer] = {
         ),
         buffer_of("light_low", State, "u32", 4, Count::Pixels(3)),
         buffer_of("light_high", State, "u32", 4, Count::Pixels(3)),
+        buffer_of("light_packed", Scratch, "u64", 8, Count::Pixels(1)),
         buffer_of("large_particles", Scratch, "u32", 4, Count::Backend),
         buffer_of("image", State, "u32", 4, Count::Pixels(1)),
         buffer_of("digest", Scratch, "u32", 4, Count::Fixed(4)),

@@ -76,6 +76,7 @@ impl Plan {
         Frame {
             system_count: self.system_count,
             row_mask: self.row_count - 1,
+            least_lifetime: self.least_lifetime,
             capacity: self.capacity,
             width: self.width,
             height: self.height,

@@ -57,6 +57,8 @@ pub struct Plan {
     pub may_drop: bool,
     /// No particle lives longer than this many frames.
     pub lifetime_bound: u32,
+    /// No particle dies of age before it has this many frames.
+    pub least_lifetime: u32,
     /// Parameter rows kept for each system, a power of two; 1 if no parameter ever changes.
     pub row_count: u32,
     /// Number of systems.
@@ -126,6 +128,7 @@ impl Plan {
             capacity: 1,
             may_drop: false,
             lifetime_bound,
+            least_lifetime: bounds::least_lifetime(&scenes),
             row_count,
             system_count: scene.systems.len() as u32,
             width: scene.image.width,

@@ -1,7 +1,10 @@
 //! Which features a plan has: kernels leave out what it has none of.
 
 use super::FrameInputs;
-use crate::layout::{PARTICLE_RECTANGLE, PARTICLE_STREAK, SystemFrame, SystemRow, WIND_CURL, Wind};
+use crate::layout::{
+    PARTICLE_RECTANGLE, PARTICLE_STREAK, SystemFrame, SystemRow, WIND_ATTRACTOR, WIND_CURL,
+    WIND_SOURCE, WIND_VORTEX, Wind,
+};
 
 macro_rules! uses {
     ($($(#[$doc:meta])* $field:ident $switch:literal;)*) => {
@@ -40,10 +43,14 @@ uses! {
     rate_spreads "RATE_SPREADS";
     /// More than one system.
     many_systems "MANY_SYSTEMS";
+    /// More than one parameter row in all: of several systems, or of parameters that change.
+    many_rows "MANY_ROWS";
     /// Drag, and with it wind.
     drags "DRAGS";
     /// Wind of several parts.
     many_winds "MANY_WINDS";
+    /// Wind around or out of a place.
+    flows "FLOWS";
     /// Wind that is made of noise.
     noises "NOISES";
     /// Noise of more than one octave.
@@ -69,6 +76,7 @@ impl Uses {
         let own = Self {
             layers: !inputs.layer_planes.is_empty(),
             many_systems: inputs.systems.len() > 1,
+            many_rows: inputs.systems.len() > 1 || inputs.frame.row_mask > 0,
             many_winds: inputs.winds.len() > 1,
             ..Self::default()
         };
@@ -97,6 +105,7 @@ impl Uses {
 
     fn of_wind(wind: &Wind) -> Self {
         Self {
+            flows: matches!(wind.kinds[0], WIND_VORTEX | WIND_SOURCE | WIND_ATTRACTOR),
             noises: wind.kinds[1] > 0,
             octaves: wind.kinds[1] > 1,
             curls: wind.kinds[0] == WIND_CURL,

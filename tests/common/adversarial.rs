@@ -76,6 +76,7 @@ pub(crate) fn adversarial(seed: u32, first: u32, count: u32) -> (Plan, Vec<Frame
         "capacity = 2600\n[image]\nwidth = 96\nheight = 54\n[camera]\nposition = [0, 0, 5]\n\
          target = [0, 0, 0]\n[[layer]]\nname = \"a\"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\n\
          [[wind]]\nkind = \"noise\"\nstrength = 1\n\
+         [[wind]]\nkind = \"vortex\"\nspeed = 1\nradius = 1\nposition = [0, 0, 0]\naxis = [0, 0, 1]\n\
          [[wind]]\nkind = \"curl\"\nstrength = 1\noctaves = 2\n{systems}"
     ));
     // A turn, so that rows are kept for eight frames.

@@ -58,6 +58,11 @@ pub(crate) static PROBES: &[ProbeKernel] = &[
         ("bits(max_exact(a, b))", |r| bits(max_exact(r.a, r.b))),
         ("bits(clamp_exact(a, -b, d))", |r| bits(clamp_exact(r.a, -r.b, r.d))),
         ("bits(clamp_exact(c, 0.0f, 1.0f))", |r| bits(clamp_exact(r.c, 0.0, 1.0))),
+        ("bits(at_least_zero(p) * LARGE)", |r| bits(max_exact(r.p, 0.0) * LARGE)),
+        ("bits(at_least_zero(c))", |r| bits(at_least_zero(r.c))),
+        ("bits(clamp_unit(p) * LARGE)", |r| bits(clamp_exact(r.p, 0.0, 1.0) * LARGE)),
+        ("bits(clamp_unit(c))", |r| bits(clamp_unit(r.c))),
+        ("bits(clamp_unit(c * 0.01f))", |r| bits(clamp_exact(r.c * 0.01, 0.0, 1.0))),
         ("bits(min3(abc, dcb).x)", |r| bits(min3(r.abc(), r.dcb()).x)),
         ("bits(min3(abc, dcb).y)", |r| bits(min3(r.abc(), r.dcb()).y)),
         ("bits(min3(abc, dcb).z)", |r| bits(min3(r.abc(), r.dcb()).z)),
@@ -70,6 +75,8 @@ pub(crate) static PROBES: &[ProbeKernel] = &[
         ("bits(floor_exact(c))", |r| bits(floor_exact(r.c))),
         ("u32(to_i32(f))", |r| to_i32(r.f()).cast_unsigned()),
         ("u32(to_i32(c))", |r| to_i32(r.c).cast_unsigned()),
+        ("to_u32(f)", |r| to_i32(r.f()).max(0).cast_unsigned()),
+        ("to_u32(c)", |r| to_u32(r.c)),
         ("bits(f32_of_i32(i32(i)))", |r| bits(f32_of_i32(r.i.cast_signed()))),
         ("bits(f32_of_u32(i))", |r| bits(f32_of_u32(r.i))),
         ("bits(reciprocal(f))", |r| bits(reciprocal(r.f()))),
@@ -186,10 +193,10 @@ impl ProbeKernel {
             .map(|(at, (expression, _))| format!("    output[at + {at}u] = {expression};\n"))
             .collect();
         format!(
-            "#import motes::exact::{{bits_of, clamp3, clamp_exact, cross3, dot3, f32_of_i32, \
+            "#import motes::exact::{{at_least_zero, bits_of, clamp3, clamp_exact, clamp_unit, cross3, dot3, f32_of_i32, \
              f32_of_u32, floor_exact, inverse_square_root, length3, less, less_equal, max3, \
              max_exact, min3, min_exact, normalize_exact, reciprocal, snap, snap2, snap3, snap4, \
-             square_root, to_i32}}
+             square_root, to_i32, to_u32}}
 {}
 @group(0) @binding(0) var<storage, read> input: array<vec4<u32>>;
 @group(0) @binding(1) var<storage, read_write> output: array<u32>;

@@ -183,6 +183,7 @@ fn compile(
             workgroup_size: trial.workgroup_size(),
             checked: true,
             off: &off,
+            wide: true,
             mutate: Some(&mutate),
         },
     )
@@ -192,6 +193,6 @@ fn compile(
 #[test]
 fn every_kernel_is_run_by_the_trials() {
     let of_stages = STAGE_KERNELS.iter().map(|one| one.kernel);
-    let run: BTreeSet<_> = of_stages.chain(["digest/digest"]).collect();
+    let run: BTreeSet<_> = of_stages.chain(["digest/digest", "draw/unpack"]).collect();
     assert_eq!(run, KERNELS.iter().map(|source| source.name).collect());
 }

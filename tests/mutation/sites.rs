@@ -62,6 +62,7 @@ pub(crate) fn of_kernel(
     compile(&CompileOptions {
         mutate: Some(&look),
         off,
+        wide: true,
         ..CompileOptions::default()
     })
     .expect("the kernel compiles");

@@ -8,9 +8,10 @@
 // Invariant: each pixel depends on its own sums alone.
 
 #import motes::dispatch::linear_index
-#import motes::exact::{clamp_exact, to_i32}
+#import motes::exact::{clamp_unit, to_i32}
 #import motes::layout::Frame
 #import motes::light::light_of
+#import motes::packed::unpacked
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 
@@ -18,16 +19,28 @@ const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 @group(0) @binding(1) var<storage, read> light_low: array<vec4<u32>>;
 @group(0) @binding(2) var<storage, read> light_high: array<vec4<u32>>;
 @group(0) @binding(3) var<storage, read_write> image: array<vec4<u32>>;
+#if WIDE == true
+@group(0) @binding(4) var<storage, read> light_packed: array<vec4<u64>>;
+#endif
 
 fn byte_of(low: u32, high: u32, background: f32) -> u32 {
     let light = light_of(low, high) * frame.exposure + background;
-    return u32(to_i32(clamp_exact(light, 0.0f, 1.0f) * 255.0f + 0.5f));
+    return u32(to_i32(clamp_unit(light) * 255.0f + 0.5f));
 }
 
-fn pixel_of(pixel: u32, low: vec3<u32>, high: vec3<u32>) -> u32 {
+// The limbs and what else there is.
+struct Sums {
+    low: vec3<u32>,
+    high: vec3<u32>,
+    more: vec3<u32>,
+}
+
+fn pixel_of(pixel: u32, sums: Sums) -> u32 {
     if pixel >= frame.width * frame.height {
         return 0u;
     }
+    let low = sums.low + sums.more;
+    let high = sums.high + select(vec3<u32>(0u), vec3<u32>(1u), low < sums.more);
     let red = byte_of(low.x, high.x, frame.background.x);
     let green = byte_of(low.y, high.y, frame.background.y);
     let blue = byte_of(low.z, high.z, frame.background.z);
@@ -48,10 +61,19 @@ fn resolve(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let high_a = light_high[at];
     let high_b = light_high[at + 1u];
     let high_c = light_high[at + 2u];
+    var more: array<vec3<u32>, 4>;
+#if WIDE == true
+    let words = light_packed[four];
+    more = array<vec3<u32>, 4>(
+        unpacked(words.x), unpacked(words.y), unpacked(words.z), unpacked(words.w),
+    );
+#endif
+    let second = Sums(vec3<u32>(low_a.w, low_b.xy), vec3<u32>(high_a.w, high_b.xy), more[1]);
+    let third = Sums(vec3<u32>(low_b.zw, low_c.x), vec3<u32>(high_b.zw, high_c.x), more[2]);
     image[four] = vec4<u32>(
-        pixel_of(first, low_a.xyz, high_a.xyz),
-        pixel_of(first + 1u, vec3<u32>(low_a.w, low_b.xy), vec3<u32>(high_a.w, high_b.xy)),
-        pixel_of(first + 2u, vec3<u32>(low_b.zw, low_c.x), vec3<u32>(high_b.zw, high_c.x)),
-        pixel_of(first + 3u, low_c.yzw, high_c.yzw),
+        pixel_of(first, Sums(low_a.xyz, high_a.xyz, more[0])),
+        pixel_of(first + 1u, second),
+        pixel_of(first + 2u, third),
+        pixel_of(first + 3u, Sums(low_c.yzw, high_c.yzw, more[3])),
     );
 }

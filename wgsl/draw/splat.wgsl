@@ -8,17 +8,21 @@
 // Invariant: the image does not depend on the order of particles.
 
 #import motes::dispatch::linear_index
-#import motes::exact::{clamp_exact, dot3, f32_of_i32, less, reciprocal, square_root, to_i32}
+#import motes::exact::{clamp_unit, dot3, f32_of_i32, less, reciprocal, square_root, to_i32}
 #import motes::footprint::{
-    FEW_CELLS, Footprint, PI, SMALL_DISC, SQUARE, footprint_of, is_visible, minor_range,
+    FEW_CELLS, Footprint, PI, SMALL_DISC, SMALL_SIDE, SQUARE, footprint_of, is_visible, minor_range,
     square_weight_at, weight_at,
 }
 #import motes::layout::{Counts, Frame, Particle, SystemFrame, SystemRow}
 #import motes::light::steps_of
+#import motes::packed::{channels_of, left_over, packed}
 #import motes::particle::{age_of, row_index, slot_of}
 #import motes::sprite::{Features, Sprite, next_layer, sprite_of}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
+// Whether there are several systems, several parameter rows.
+const MANY_SYSTEMS: bool = #{MANY_SYSTEMS};
+const MANY_ROWS: bool = #{MANY_ROWS};
 // Whether any system has such particles.
 const STREAKS: bool = #{STREAKS};
 const RECTANGLES: bool = #{RECTANGLES};
@@ -41,35 +45,60 @@ var<immediate> pages: Pages;
 @group(0) @binding(6) var<storage, read_write> light_high: array<atomic<u32>>;
 @group(0) @binding(7) var<storage, read_write> large_particles: array<atomic<u32>>;
 @group(0) @binding(8) var<storage, read> layer_planes: array<vec4<f32>>;
+#if WIDE == true
+@group(0) @binding(9) var<storage, read_write> light_packed: array<atomic<u64>>;
+#endif
 
-// The system in that slot; a lone one is loaded once for all invocations.
-fn system_at(slot: u32) -> SystemFrame {
-    if frame.system_count == 1u {
-        return system_frames[0];
-    }
-    return system_frames[slot];
+// What is the same for all invocations where there is only one of it.
+struct Lone {
+    system: SystemFrame,
+    row: SystemRow,
 }
 
-// The parameter row there. A lone row is loaded once for all invocations, not once for each.
-fn row_at(index: u32) -> SystemRow {
-    if frame.system_count == 1u && frame.row_mask == 0u {
-        return rows[0];
+fn system_at(slot: u32, lone: Lone) -> SystemFrame {
+    if MANY_SYSTEMS {
+        return system_frames[slot];
     }
-    return rows[index];
+    return lone.system;
 }
 
-fn add_channel(at: u32, steps: u32) {
+fn row_at(index: u32, lone: Lone) -> SystemRow {
+    if MANY_ROWS {
+        return rows[index];
+    }
+    return lone.row;
+}
+
+// Adds steps to the limbs of a channel; a count with the highest bit set is negative.
+fn add_to_limbs(at: u32, steps: u32) {
     let before = atomicAdd(&light_low[at], steps);
-    if before > 0xffffffffu - steps {
-        atomicAdd(&light_high[at], 1u);
+    let carry = select(0u, 1u, before > 0xffffffffu - steps);
+    let high = carry - (steps >> 31u);
+    if high != 0u {
+        atomicAdd(&light_high[at], high);
     }
 }
 
 fn add_light(x: i32, y: i32, color: vec3<f32>, weight: f32) {
-    let at = (u32(y) * frame.width + u32(x)) * 3u;
-    add_channel(at, steps_of(color.x * weight));
-    add_channel(at + 1u, steps_of(color.y * weight));
-    add_channel(at + 2u, steps_of(color.z * weight));
+    let pixel = u32(y) * frame.width + u32(x);
+    let steps = vec3<u32>(
+        steps_of(color.x * weight), steps_of(color.y * weight), steps_of(color.z * weight),
+    );
+#if WIDE == true
+    let word = packed(steps);
+    let over = left_over(atomicAdd(&light_packed[pixel], word), word, steps);
+    // Drivers that run all branches turn a loop once: it is the one place of three channels.
+    var left = channels_of(over);
+    while left != 0u {
+        let channel = firstTrailingBit(left);
+        left &= left - 1u;
+        add_to_limbs(pixel * 3u + channel, over[channel]);
+    }
+#else
+    add_to_limbs(pixel * 3u, steps.x);
+    add_to_limbs(pixel * 3u + 1u, steps.y);
+    add_to_limbs(pixel * 3u + 2u, steps.z);
+#endif
 }
 
 // One row of pixels across the major axis.
@@ -94,31 +123,41 @@ fn draw_row(shape: Footprint, major: i32, color: vec3<f32>) {
     }
 }
 
-// A disc at rest that covers at most the nine pixels around its centre's: no loops over ranges,
-// and each weight is computed once.
+// How much of a pixel a disc around `center` covers, 0 to 1.
+fn disc_weight(center: vec2<f32>, reach: f32, x: i32, y: i32) -> f32 {
+    let dx = f32_of_i32(x) + 0.5f - center.x;
+    let dy = f32_of_i32(y) + 0.5f - center.y;
+    return clamp_unit(reach - square_root(dx * dx + dy * dy));
+}
+
+// A small disc at rest. What it covers is found first, a bit a pixel, so that invocations side by
+// side then turn a loop as often as they have pixels, wherever these are.
 fn draw_small_disc(sprite: Sprite, reach: f32) {
-    let center_x = sprite.start.x;
-    let center_y = sprite.start.y;
-    let left = to_i32(center_x) - 1;
-    let top = to_i32(center_y) - 1;
-    var weights: array<f32, 9>;
+    let center = vec2<f32>(sprite.start.x, sprite.start.y);
+    let left = to_i32(center.x - reach + 0.5f);
+    let top = to_i32(center.y - reach + 0.5f);
+    let columns = min(to_i32(center.x + reach - 0.5f) - left + 1, i32(SMALL_SIDE));
+    let lines = min(to_i32(center.y + reach - 0.5f) - top + 1, i32(SMALL_SIDE));
+    var covered = 0u;
     var sum = 0.0f;
-    for (var at = 0; at < 9; at += 1) {
-        let dx = f32_of_i32(left + at % 3) + 0.5f - center_x;
-        let dy = f32_of_i32(top + at / 3) + 0.5f - center_y;
-        let distance = square_root(dx * dx + dy * dy);
-        let weight = clamp_exact(reach - distance, 0.0f, 1.0f);
-        weights[at] = weight;
-        sum += weight;
+    for (var column = 0; column < columns; column += 1) {
+        let x = left + column;
+        for (var line = 0; line < lines; line += 1) {
+            let y = top + line;
+            let weight = disc_weight(center, reach, x, y);
+            let inside = x >= 0 && y >= 0 && x < i32(frame.width) && y < i32(frame.height);
+            let bit = 1u << (u32(column) * SMALL_SIDE + u32(line));
+            covered |= select(0u, bit, inside && less(0.0f, weight));
+            sum += weight;
+        }
     }
     let gain = PI * sprite.radius_px * sprite.radius_px * reciprocal(sum);
-    for (var at = 0; at < 9; at += 1) {
-        let x = left + at % 3;
-        let y = top + at / 3;
-        let weight = weights[at] * gain;
-        if less(0.0f, weight) && x >= 0 && y >= 0 && x < i32(frame.width) && y < i32(frame.height) {
-            add_light(x, y, sprite.color, weight);
-        }
+    while covered != 0u {
+        let at = firstTrailingBit(covered);
+        covered &= covered - 1u;
+        let x = left + i32(at / SMALL_SIDE);
+        let y = top + i32(at % SMALL_SIDE);
+        add_light(x, y, sprite.color, disc_weight(center, reach, x, y) * gain);
     }
 }
 
@@ -139,6 +178,8 @@ fn leave_to_splat_large(at: u32) {
 
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn splat(@builtin(global_invocation_id) global_id: vec3<u32>) {
+    // Before the first branch, as software drivers load it lane by lane after that.
+    let lone = Lone(system_frames[0], rows[0]);
     let page_start = pages.page * frame.page_len;
     let at = linear_index(global_id, WORKGROUP_SIZE);
     if at >= min(counts.live - min(counts.live, page_start), frame.page_len) {
@@ -147,9 +188,9 @@ fn splat(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let particle = particles[at];
     let birth = particle.velocity_and_birth.w;
     let slot = slot_of(birth);
-    let row = row_at(row_index(slot, frame.frame - age_of(birth, frame.frame), frame.row_mask));
+    let row = row_at(row_index(slot, frame.frame - age_of(birth, frame.frame), frame.row_mask), lone);
     let features = Features(STREAKS, RECTANGLES, RATE_SPREADS, LIGHT_DISTANCES);
-    let sprite = sprite_of(frame, system_at(slot), row, particle, features);
+    let sprite = sprite_of(frame, system_at(slot, lone), row, particle, features);
     if !is_visible(frame, sprite.start, sprite.end, sprite.radius_px) {
         return;
     }

@@ -12,10 +12,14 @@
 }
 #import motes::layout::{Frame, Particle, SystemFrame, SystemRow}
 #import motes::light::steps_of
+#import motes::packed::{channels_of, left_over, packed}
 #import motes::particle::{age_of, row_index, slot_of}
 #import motes::sprite::{Features, sprite_of}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
+// Whether there are several systems, several parameter rows.
+const MANY_SYSTEMS: bool = #{MANY_SYSTEMS};
+const MANY_ROWS: bool = #{MANY_ROWS};
 // Whether any system has such particles.
 const STREAKS: bool = #{STREAKS};
 const RECTANGLES: bool = #{RECTANGLES};
@@ -29,35 +33,60 @@ const LIGHT_DISTANCES: bool = #{LIGHT_DISTANCES};
 @group(0) @binding(4) var<storage, read> large_particles: array<u32>;
 @group(0) @binding(5) var<storage, read_write> light_low: array<atomic<u32>>;
 @group(0) @binding(6) var<storage, read_write> light_high: array<atomic<u32>>;
+#if WIDE == true
+@group(0) @binding(7) var<storage, read_write> light_packed: array<atomic<u64>>;
+#endif
 
-// The system in that slot; a lone one is loaded once for all invocations.
-fn system_at(slot: u32) -> SystemFrame {
-    if frame.system_count == 1u {
-        return system_frames[0];
-    }
-    return system_frames[slot];
+// What is the same for all invocations where there is only one of it.
+struct Lone {
+    system: SystemFrame,
+    row: SystemRow,
 }
 
-// The parameter row there. A lone row is loaded once for all invocations, not once for each.
-fn row_at(index: u32) -> SystemRow {
-    if frame.system_count == 1u && frame.row_mask == 0u {
-        return rows[0];
+fn system_at(slot: u32, lone: Lone) -> SystemFrame {
+    if MANY_SYSTEMS {
+        return system_frames[slot];
     }
-    return rows[index];
+    return lone.system;
 }
 
-fn add_channel(at: u32, steps: u32) {
+fn row_at(index: u32, lone: Lone) -> SystemRow {
+    if MANY_ROWS {
+        return rows[index];
+    }
+    return lone.row;
+}
+
+// Adds steps to the limbs of a channel; a count with the highest bit set is negative.
+fn add_to_limbs(at: u32, steps: u32) {
     let before = atomicAdd(&light_low[at], steps);
-    if before > 0xffffffffu - steps {
-        atomicAdd(&light_high[at], 1u);
+    let carry = select(0u, 1u, before > 0xffffffffu - steps);
+    let high = carry - (steps >> 31u);
+    if high != 0u {
+        atomicAdd(&light_high[at], high);
     }
 }
 
 fn add_light(x: i32, y: i32, color: vec3<f32>, weight: f32) {
-    let at = (u32(y) * frame.width + u32(x)) * 3u;
-    add_channel(at, steps_of(color.x * weight));
-    add_channel(at + 1u, steps_of(color.y * weight));
-    add_channel(at + 2u, steps_of(color.z * weight));
+    let pixel = u32(y) * frame.width + u32(x);
+    let steps = vec3<u32>(
+        steps_of(color.x * weight), steps_of(color.y * weight), steps_of(color.z * weight),
+    );
+#if WIDE == true
+    let word = packed(steps);
+    let over = left_over(atomicAdd(&light_packed[pixel], word), word, steps);
+    // Drivers that run all branches turn a loop once: it is the one place of three channels.
+    var left = channels_of(over);
+    while left != 0u {
+        let channel = firstTrailingBit(left);
+        left &= left - 1u;
+        add_to_limbs(pixel * 3u + channel, over[channel]);
+    }
+#else
+    add_to_limbs(pixel * 3u, steps.x);
+    add_to_limbs(pixel * 3u + 1u, steps.y);
+    add_to_limbs(pixel * 3u + 2u, steps.z);
+#endif
 }
 
 // One row of pixels across the major axis.
@@ -84,6 +113,8 @@ fn draw_row(shape: Footprint, major: i32, color: vec3<f32>) {
 
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn splat_large(@builtin(global_invocation_id) global_id: vec3<u32>) {
+    // Before the first branch, as software drivers load it lane by lane after that.
+    let lone = Lone(system_frames[0], rows[0]);
     let work = linear_index(global_id, WORKGROUP_SIZE);
     let place = work / SHARES;
     if place >= large_particles[1] {
@@ -93,9 +124,9 @@ fn splat_large(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let particle = particles[at];
     let birth = particle.velocity_and_birth.w;
     let slot = slot_of(birth);
-    let row = row_at(row_index(slot, frame.frame - age_of(birth, frame.frame), frame.row_mask));
+    let row = row_at(row_index(slot, frame.frame - age_of(birth, frame.frame), frame.row_mask), lone);
     let features = Features(STREAKS, RECTANGLES, RATE_SPREADS, LIGHT_DISTANCES);
-    let sprite = sprite_of(frame, system_at(slot), row, particle, features);
+    let sprite = sprite_of(frame, system_at(slot, lone), row, particle, features);
     let shape = footprint_of(
         frame, sprite.start, sprite.end, sprite.radius_px, sprite.square, sprite.conserved,
     );

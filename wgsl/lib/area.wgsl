@@ -5,7 +5,7 @@
 // Reads and writes no buffers. Invariant: exact on every driver; twin of src/area.rs.
 #define_import_path motes::area
 
-#import motes::exact::{clamp_exact, f32_of_u32, less, max_exact, reciprocal, square_root}
+#import motes::exact::{at_least_zero, clamp_exact, f32_of_u32, less, reciprocal, square_root}
 #import motes::layout::{FRAME_ORTHOGRAPHIC, Frame}
 
 // Rows of pixels that the covered area is summed over.
@@ -36,7 +36,7 @@ fn screen_area_px(view: Frame, sphere: vec4<f32>) -> f32 {
     var area = 0.0f;
     for (var at = 0u; at < SLABS; at += 1u) {
         let dy = top + (f32_of_u32(at) + 0.5f) * slab - y;
-        let half = square_root(max_exact(radius * radius - dy * dy, 0.0f));
+        let half = square_root(at_least_zero(radius * radius - dy * dy));
         let left = clamp_exact(x - half, 0.0f, width);
         let right = clamp_exact(x + half, 0.0f, width);
         area += (right - left) * slab;

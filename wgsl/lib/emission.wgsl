@@ -5,7 +5,7 @@
 // Reads and writes no buffers. Invariant: exact on every driver; twin of src/cpu/emission.rs.
 #define_import_path motes::emission
 
-#import motes::exact::{cross3, dot3, less, max_exact, normalize_exact, reciprocal, square_root}
+#import motes::exact::{at_least_zero, cross3, dot3, less, normalize_exact, reciprocal, square_root}
 #import motes::layout::{
     ROW_ANGLE_UNIFORM, ROW_AROUND, ROW_OUTWARD, SHAPE_CIRCLE, SHAPE_CONE, SHAPE_RING, SHAPE_SPHERE,
     SystemRow,
@@ -21,7 +21,7 @@ struct Birthplace {
 
 // The unit vector at height z on the sphere, `turns` around the z axis.
 fn on_sphere(z: f32, turns: f32) -> vec3<f32> {
-    let ring = square_root(max_exact(1.0f - z * z, 0.0f));
+    let ring = square_root(at_least_zero(1.0f - z * z));
     return vec3<f32>(ring * cos_turns(turns), ring * sin_turns(turns), z);
 }
 

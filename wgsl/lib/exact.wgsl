@@ -63,6 +63,16 @@ fn max_exact(a: f32, b: f32) -> f32 {
     return select(snap(a), snap(b), less(a, b));
 }
 
+// max_exact(x, 0).
+fn at_least_zero(x: f32) -> f32 {
+    return select(0.0f, x, x >= SMALLEST);
+}
+
+// x within 0 ..= 1.
+fn clamp_unit(x: f32) -> f32 {
+    return select(at_least_zero(x), 1.0f, x > 1.0f);
+}
+
 // x within low ..= high; low <= high.
 fn clamp_exact(x: f32, low: f32, high: f32) -> f32 {
     return min_exact(max_exact(x, low), high);
@@ -91,6 +101,12 @@ fn to_i32(x: f32) -> i32 {
     let whole = select(floor_exact(x), 0.0f, is_nan);
     let raised = select(whole, -INTEGER_LIMIT, whole < -INTEGER_LIMIT);
     return i32(select(raised, INTEGER_LIMIT, raised > INTEGER_LIMIT));
+}
+
+// The largest integer that is not above x, at most 2^30, of an x that is not below 0; such an x
+// that is no number gives 0.
+fn to_u32(x: f32) -> u32 {
+    return u32(i32(select(at_least_zero(x), INTEGER_LIMIT, x > INTEGER_LIMIT)));
 }
 
 // i clamped to -2^24 ..= 2^24, where every integer has its float.

@@ -10,8 +10,8 @@
 #define_import_path motes::footprint
 
 #import motes::exact::{
-    clamp_exact, f32_of_i32, inverse_square_root, less, max_exact, min_exact, reciprocal,
-    square_root, to_i32,
+    at_least_zero, clamp_unit, f32_of_i32, inverse_square_root, less, max_exact, min_exact,
+    reciprocal, square_root, to_i32,
 }
 #import motes::layout::{FRAME_EYE, Frame}
 #import motes::projection::Projected
@@ -24,9 +24,10 @@ const MOST_RADIUS_PX: f32 = 16384.0f;
 const FEW_CELLS: u32 = 2048u;
 // A disc of at least this radius needs no gain; below half of it, all of it.
 const LARGE_RADIUS_PX: f32 = 4.0f;
-// A disc at rest that reaches no further than this covers at most the nine pixels around its
-// centre's.
-const SMALL_REACH_PX: f32 = 1.5f;
+// A disc at rest that reaches no further than this is smaller than half of the above, and covers
+// pixels of a square of so many at a side.
+const SMALL_REACH_PX: f32 = 2.47f;
+const SMALL_SIDE: u32 = 5u;
 // Pixel coordinates are kept within these, and ranges of them below 2^15.
 const FARTHEST_PX: i32 = 16777216;
 const LONGEST_PX: i32 = 32768;
@@ -83,13 +84,13 @@ fn is_visible(view: Frame, start: Projected, end: Projected, radius_px: f32) -> 
 // The radius whose edge, one pixel wide, gives the area of a disc of `radius_px`: such an edge adds
 // 1/12 to the square of the radius. At least half a pixel.
 fn edged_radius(radius_px: f32) -> f32 {
-    return max_exact(square_root(max_exact(radius_px * radius_px - 0.0833333333f, 0.0f)), 0.5f);
+    return max_exact(square_root(at_least_zero(radius_px * radius_px - 0.0833333333f)), 0.5f);
 }
 
 // How much of the unit interval from `pixel` lies within [low, high].
 fn overlap(pixel: i32, low: f32, high: f32) -> f32 {
     let left = f32_of_i32(pixel);
-    return clamp_exact(min_exact(left + 1.0f, high) - max_exact(left, low), 0.0f, 1.0f);
+    return clamp_unit(min_exact(left + 1.0f, high) - max_exact(left, low));
 }
 
 // How much of a pixel the disc or streak covers, 0 to 1, times how much that light counts.
@@ -97,11 +98,11 @@ fn weight_at(shape: Footprint, major: i32, minor: i32) -> f32 {
     let dx = f32_of_i32(major) + 0.5f - shape.start_major;
     let dy = f32_of_i32(minor) + 0.5f - shape.start_minor;
     let along = (dx * shape.along_major + dy * shape.along_minor) * shape.inverse_length_squared;
-    let t = clamp_exact(along, 0.0f, 1.0f);
+    let t = clamp_unit(along);
     let ex = dx - t * shape.along_major;
     let ey = dy - t * shape.along_minor;
     let distance = square_root(ex * ex + ey * ey);
-    return clamp_exact(shape.reach - distance, 0.0f, 1.0f) * (shape.early + t * shape.late);
+    return clamp_unit(shape.reach - distance) * (shape.early + t * shape.late);
 }
 
 // How much of a pixel the square covers, 0 to 1.
@@ -153,7 +154,7 @@ fn gain_of(
     }
     let gain = area * reciprocal(sum);
     let half = 0.5f * LARGE_RADIUS_PX;
-    let share = clamp_exact((radius_px - half) * 0.5f, 0.0f, 1.0f);
+    let share = clamp_unit((radius_px - half) * 0.5f);
     return select(gain + share * (1.0f - gain), gain, moves);
 }
 
@@ -186,7 +187,7 @@ fn footprint_of(
     // Of a short streak hardly so, or a pixel's centre before its start could get it all.
     let eye = moves && (view.flags & FRAME_EYE) != 0u;
     let length = length_squared * inverse_length;
-    let lateness = clamp_exact(0.25f * length * reciprocal(shape.reach), 0.0f, 1.0f);
+    let lateness = clamp_unit(0.25f * length * reciprocal(shape.reach));
     shape.early = select(1.0f, 1.0f - lateness, eye);
     shape.late = select(0.0f, 2.0f * lateness, eye);
     if !moves && !square && less(shape.reach, SMALL_REACH_PX) {

@@ -174,7 +174,8 @@ struct Frame {
     // Planes that split the picture into layers; the layer that is drawn, from 1, or 0 for all.
     layer_plane_count: u32,
     layer: u32,
-    spare: u32,
+    // No particle dies of age before it has this many frames.
+    least_lifetime: u32,
 }
 
 // Frame.flags: the view is orthographic; late light counts more, as for an eye.

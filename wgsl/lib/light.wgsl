@@ -4,14 +4,14 @@
 // Twin of src/cpu/light.rs.
 #define_import_path motes::light
 
-#import motes::exact::{f32_of_u32, to_i32}
+#import motes::exact::{f32_of_u32, to_u32}
 
 // Steps of light in 1.0.
 const LIGHT_STEPS: f32 = 1048576.0f;
 
 // A contribution in steps, to the nearest; what is more than 1,024 times white counts as that.
 fn steps_of(light: f32) -> u32 {
-    return u32(max(to_i32(light * LIGHT_STEPS + 0.5f), 0));
+    return to_u32(light * LIGHT_STEPS + 0.5f);
 }
 
 // The light that the two limbs hold, rounded to single precision once or twice.

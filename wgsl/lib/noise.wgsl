@@ -9,7 +9,7 @@
 // Reads and writes no buffers. Invariant: exact on every driver; twin of src/noise.rs.
 #define_import_path motes::noise
 
-#import motes::exact::{floor_exact, less, max_exact, to_i32}
+#import motes::exact::{at_least_zero, floor_exact, less, to_i32}
 
 // Simplices a unit.
 const CELLS_PER_UNIT: f32 = 0.5f;
@@ -32,9 +32,20 @@ const ROUND_B: u32 = 0x735a2d97u;
 const ONE_BITS: u32 = 0x3f800000u;
 const GRADIENT_MIDDLE: f32 = 1.49951171875f;
 
+// What a cell's coordinates add to the hash of its corner.
+fn hash_share(x: u32, y: u32, z: u32) -> vec3<u32> {
+    return vec3<u32>(
+        (x & CELL_MASK) * CELL_X, (y & CELL_MASK) * CELL_Y, (z & CELL_MASK) * CELL_Z,
+    );
+}
+
 // The random gradient of a corner: components symmetric around zero, at most a half.
 fn corner_gradient(x: u32, y: u32, z: u32, key: u32) -> vec3<f32> {
-    var h = (x & CELL_MASK) * CELL_X + (y & CELL_MASK) * CELL_Y + (z & CELL_MASK) * CELL_Z + key;
+    return gradient_of(hash_share(x, y, z), key);
+}
+
+fn gradient_of(share: vec3<u32>, key: u32) -> vec3<f32> {
+    var h = share.x + share.y + share.z + key;
     h = (h ^ (h >> 16u)) * ROUND_A;
     h = (h ^ (h >> 15u)) * ROUND_B;
     h ^= h >> 15u;
@@ -47,7 +58,7 @@ fn corner_gradient(x: u32, y: u32, z: u32, key: u32) -> vec3<f32> {
 
 // What a corner adds, seen from it at `d`: the gradient, and the value in w.
 fn from_corner(slope: vec3<f32>, d: vec3<f32>) -> vec4<f32> {
-    let t = max_exact(REACH_SQUARED - (d.x * d.x + d.y * d.y + d.z * d.z), 0.0f);
+    let t = at_least_zero(REACH_SQUARED - (d.x * d.x + d.y * d.y + d.z * d.z));
     let t2 = t * t;
     let t4 = t2 * t2;
     let rise = slope.x * d.x + slope.y * d.y + slope.z * d.z;
@@ -66,6 +77,8 @@ fn noise(p: vec3<f32>, key: u32) -> vec4<f32> {
     let x = u32(to_i32(cell.x));
     let y = u32(to_i32(cell.y));
     let z = u32(to_i32(cell.z));
+    let here = hash_share(x, y, z);
+    let beyond = hash_share(x + 1u, y + 1u, z + 1u);
     // The axes in descending order of d are those that the corners are reached by.
     let x_over_y = !less(d.x, d.y);
     let y_over_z = !less(d.y, d.z);
@@ -76,27 +89,18 @@ fn noise(p: vec3<f32>, key: u32) -> vec4<f32> {
     let third_x = x_over_y || x_over_z;
     let third_y = !x_over_y || y_over_z;
     let third_z = !x_over_z || !y_over_z;
-    let second = vec3<u32>(
-        select(0u, 1u, second_x), select(0u, 1u, second_y), select(0u, 1u, second_z),
-    );
-    let third = vec3<u32>(
-        select(0u, 1u, third_x), select(0u, 1u, third_y), select(0u, 1u, third_z),
-    );
-    let to_second = vec3<f32>(
-        select(0.0f, 1.0f, second_x), select(0.0f, 1.0f, second_y), select(0.0f, 1.0f, second_z),
-    );
-    let to_third = vec3<f32>(
-        select(0.0f, 1.0f, third_x), select(0.0f, 1.0f, third_y), select(0.0f, 1.0f, third_z),
-    );
-    let near_corners = from_corner(corner_gradient(x, y, z, key), d)
+    let second = vec3<bool>(second_x, second_y, second_z);
+    let third = vec3<bool>(third_x, third_y, third_z);
+    let to_second = select(vec3<f32>(0.0f), vec3<f32>(1.0f), second);
+    let to_third = select(vec3<f32>(0.0f), vec3<f32>(1.0f), third);
+    let near_corners = from_corner(gradient_of(here, key), d)
         + from_corner(
-            corner_gradient(x + second.x, y + second.y, z + second.z, key),
-            (d - to_second) + UNSKEW,
+            gradient_of(select(here, beyond, second), key), (d - to_second) + UNSKEW,
         );
     let far_corners = from_corner(
-            corner_gradient(x + third.x, y + third.y, z + third.z, key), (d - to_third) + SKEW,
+            gradient_of(select(here, beyond, third), key), (d - to_third) + SKEW,
         )
-        + from_corner(corner_gradient(x + 1u, y + 1u, z + 1u, key), d - 0.5f);
+        + from_corner(gradient_of(beyond, key), d - 0.5f);
     let sum = near_corners + far_corners;
     // By the chain rule, the gradient carries the cells a unit, which the value does not.
     return vec4<f32>(sum.xyz * (GRADIENT_GAIN * CELLS_PER_UNIT), sum.w * GRADIENT_GAIN);

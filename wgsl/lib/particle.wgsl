@@ -3,9 +3,9 @@
 // (Reeves 1983, sections 2.2 to 2.4). Twin of src/cpu/particle.rs.
 #define_import_path motes::particle
 
-#import motes::layout::{ROW_LUMINANCE, SystemRow}
+#import motes::layout::{Particle, ROW_LUMINANCE, SystemRow}
 #import motes::rng::{pcg4d, signed_float, signed4}
-#import motes::exact::{clamp_exact, f32_of_u32, max_exact, snap, to_i32}
+#import motes::exact::{at_least_zero, clamp_unit, f32_of_u32, max_exact, snap, to_i32}
 
 // Streams of the hash: which attributes a draw is for.
 const STREAM_PLACE: u32 = 0u;
@@ -30,6 +30,27 @@ struct Appearance {
     color: vec3<f32>,
     transparency: f32,
     size: f32,
+}
+
+// A particle of four words of 64 bits, as adapters that have them load it: in one access, not two.
+fn from_words(words: vec4<u64>) -> Particle {
+    return Particle(
+        vec4<u32>(u32(words.x), u32(words.x >> 32u), u32(words.y), u32(words.y >> 32u)),
+        vec4<u32>(u32(words.z), u32(words.z >> 32u), u32(words.w), u32(words.w >> 32u)),
+    );
+}
+
+fn word_of(low: u32, high: u32) -> u64 {
+    return u64(low) | (u64(high) << 32u);
+}
+
+fn to_words(particle: Particle) -> vec4<u64> {
+    let place = particle.position_and_index;
+    let motion = particle.velocity_and_birth;
+    return vec4<u64>(
+        word_of(place.x, place.y), word_of(place.z, place.w),
+        word_of(motion.x, motion.y), word_of(motion.z, motion.w),
+    );
 }
 
 fn slot_of(particle_birth: u32) -> u32 {
@@ -69,20 +90,20 @@ fn appearance_of(who: Identity, row: SystemRow, steps: u32, spread_rates: bool) 
         rate = rate + signed4(draw(who, STREAM_RATES)) * row.color_rate_var;
         size_rate += signed_float(draw(who, STREAM_MOMENT).y) * row.ejection_and_light.w;
     }
-    let red = max_exact(mean.x + signed_float(random.x) * half_width.x, 0.0f);
-    let green = max_exact(mean.y + signed_float(random.y) * half_width.y, 0.0f);
-    let blue = max_exact(mean.z + signed_float(random.z) * half_width.z, 0.0f);
-    let clear = clamp_exact(mean.w + signed_float(random.w) * half_width.w, 0.0f, 1.0f);
+    let red = at_least_zero(mean.x + signed_float(random.x) * half_width.x);
+    let green = at_least_zero(mean.y + signed_float(random.y) * half_width.y);
+    let blue = at_least_zero(mean.z + signed_float(random.z) * half_width.z);
+    let clear = clamp_unit(mean.w + signed_float(random.w) * half_width.w);
     let spread = signed_float(draw(who, STREAM_MOTION).w) * row.size_and_threshold.y;
     let size = max_exact(row.size_and_threshold.x + spread, LEAST_SIZE);
     return Appearance(
         vec3<f32>(
-            max_exact(red + n * rate.x, 0.0f),
-            max_exact(green + n * rate.y, 0.0f),
-            max_exact(blue + n * rate.z, 0.0f),
+            at_least_zero(red + n * rate.x),
+            at_least_zero(green + n * rate.y),
+            at_least_zero(blue + n * rate.z),
         ),
-        clamp_exact(clear + n * rate.w, 0.0f, 1.0f),
-        max_exact(size + n * size_rate, 0.0f),
+        clamp_unit(clear + n * rate.w),
+        at_least_zero(size + n * size_rate),
     );
 }
 

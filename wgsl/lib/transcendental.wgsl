@@ -8,7 +8,7 @@
 // stated range, as `tests/exact_errors.rs` measures. Reads and writes no buffers.
 #define_import_path motes::transcendental
 
-#import motes::exact::{SMALLEST, snap, floor_exact, to_i32, clamp_exact}
+#import motes::exact::{SMALLEST, clamp_exact, floor_exact, snap, to_i32}
 
 // sin(2 pi r), |r| <= 1/8: off by 2^-27.9 before rounding.
 const SIN_1: f32 = 6.2831855f;

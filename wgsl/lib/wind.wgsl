@@ -51,9 +51,11 @@ fn turbulence(wind: Wind, p: vec3<f32>, octaves: u32, first_key: u32) -> vec3<f3
     return sum;
 }
 
-// What noises any part of the wind is made of: any at all, some of more than one octave, curls.
-struct Noises {
-    any: bool,
+// What parts of the wind there are: flows around or out of a place, noises, noises of more than
+// one octave, curls.
+struct Kinds {
+    flows: bool,
+    noises: bool,
     octaves: bool,
     curls: bool,
 }
@@ -66,9 +68,8 @@ fn gradient(wind: Wind, p: vec3<f32>, count: u32, key: u32, octaves: bool) -> ve
     return octave_at(wind, in_noise(wind, p), key, 1.0f);
 }
 
-// What one part adds to the wind at the world place `p`. Drivers that run all branches run no
-// loop that no invocation enters: kinds without noise ask for no octaves.
-fn wind_of(wind: Wind, p: vec3<f32>, noises: Noises) -> vec3<f32> {
+// What a flow around or out of a place adds at the world place `p`; else what is the same everywhere.
+fn flow_of(wind: Wind, p: vec3<f32>) -> vec3<f32> {
     let kind = wind.kinds.x;
     let radius = wind.place.w;
     let strength = wind.aim.w;
@@ -81,16 +82,27 @@ fn wind_of(wind: Wind, p: vec3<f32>, noises: Noises) -> vec3<f32> {
     var flow = wind.aim.xyz;
     flow = select(flow, around * swirl, kind == WIND_VORTEX);
     flow = select(flow, away * outflow, kind == WIND_SOURCE);
-    flow = select(flow, away * (-strength * inverse_distance), kind == WIND_ATTRACTOR);
-    if !noises.any {
+    return select(flow, away * (-strength * inverse_distance), kind == WIND_ATTRACTOR);
+}
+
+// What one part adds to the wind at the world place `p`. Drivers that run all branches run no
+// loop that no invocation enters: kinds without noise ask for no octaves.
+fn wind_of(wind: Wind, p: vec3<f32>, has: Kinds) -> vec3<f32> {
+    let kind = wind.kinds.x;
+    let strength = wind.aim.w;
+    var flow = wind.aim.xyz;
+    if has.flows {
+        flow = flow_of(wind, p);
+    }
+    if !has.noises {
         return flow;
     }
-    let first = gradient(wind, p, wind.kinds.y, wind.kinds.z, noises.octaves);
+    let first = gradient(wind, p, wind.kinds.y, wind.kinds.z, has.octaves);
     flow = select(flow, first * strength, kind == WIND_NOISE);
-    if noises.curls {
+    if has.curls {
         let second_octaves = select(0u, wind.kinds.y, kind == WIND_CURL);
         let second_key = wind.kinds.z ^ CURL_KEY;
-        let second = gradient(wind, p, second_octaves, second_key, noises.octaves);
+        let second = gradient(wind, p, second_octaves, second_key, has.octaves);
         let curl = cross3(first, second);
         let weights = wind.place.xyz;
         let swirling = vec3<f32>(curl.x * weights.x, curl.y * weights.y, curl.z * weights.z);

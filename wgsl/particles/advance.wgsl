@@ -12,16 +12,17 @@
 #import motes::dispatch::linear_index
 #import motes::exact::bits_of
 #import motes::layout::{Counts, Frame, Particle, SystemFrame, Wind}
-#import motes::particle::slot_of
+#import motes::particle::{from_words, slot_of, to_words}
 #import motes::projection::world_of
-#import motes::wind::{Noises, wind_of}
+#import motes::wind::{Kinds, wind_of}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 // Whether there are several systems; whether any has drag; whether the wind has several parts;
-// whether any of them is noise, of more than one octave, a curl.
+// whether any of them flows around or out of a place, is noise, of more than one octave, a curl.
 const MANY_SYSTEMS: bool = #{MANY_SYSTEMS};
 const DRAGS: bool = #{DRAGS};
 const MANY_WINDS: bool = #{MANY_WINDS};
+const FLOWS: bool = #{FLOWS};
 const NOISES: bool = #{NOISES};
 const OCTAVES: bool = #{OCTAVES};
 const CURLS: bool = #{CURLS};
@@ -35,32 +36,36 @@ var<immediate> pages: Pages;
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read> system_frames: array<SystemFrame>;
 @group(0) @binding(2) var<storage, read> counts: Counts;
-@group(0) @binding(3) var<storage, read> alive_bits: array<u32>;
-@group(0) @binding(4) var<storage, read> word_offsets: array<u32>;
-@group(0) @binding(5) var<storage, read> particles: array<Particle>;
-@group(0) @binding(6) var<storage, read_write> survivors: array<Particle>;
-@group(0) @binding(7) var<storage, read> winds: array<Wind>;
+@group(0) @binding(3) var<storage, read> word_ranks: array<vec2<u32>>;
+#if WIDE == true
+@group(0) @binding(4) var<storage, read> particles: array<vec4<u64>>;
+@group(0) @binding(5) var<storage, read_write> survivors: array<vec4<u64>>;
+#else
+@group(0) @binding(4) var<storage, read> particles: array<Particle>;
+@group(0) @binding(5) var<storage, read_write> survivors: array<Particle>;
+#endif
+@group(0) @binding(6) var<storage, read> winds: array<Wind>;
 
 // The system in that slot; a lone one is loaded once for all invocations.
-fn system_at(slot: u32) -> SystemFrame {
+fn system_at(slot: u32, lone: SystemFrame) -> SystemFrame {
     if MANY_SYSTEMS {
         return system_frames[slot];
     }
-    return system_frames[0];
+    return lone;
 }
 
 // What drag adds to a velocity in a frame: a part of what it lacks of the wind's, in the system's
 // space. The inverse of a rotation is its transpose.
-fn drag_on(system: SystemFrame, position: vec3<f32>, velocity: vec3<f32>) -> vec3<f32> {
+fn drag_on(system: SystemFrame, lone_wind: Wind, position: vec3<f32>, velocity: vec3<f32>) -> vec3<f32> {
     let world = world_of(system, position);
     var flow = vec3<f32>(0.0f);
-    let noises = Noises(NOISES, OCTAVES, CURLS);
+    let has = Kinds(FLOWS, NOISES, OCTAVES, CURLS);
     if MANY_WINDS {
         for (var at = 0u; at < frame.wind_count; at += 1u) {
-            flow += wind_of(winds[at], world, noises);
+            flow += wind_of(winds[at], world, has);
         }
     } else if frame.wind_count == 1u {
-        flow = wind_of(winds[0], world, noises);
+        flow = wind_of(lone_wind, world, has);
     }
     let x_row = system.world_from_system_x.xyz;
     let y_row = system.world_from_system_y.xyz;
@@ -71,35 +76,48 @@ fn drag_on(system: SystemFrame, position: vec3<f32>, velocity: vec3<f32>) -> vec
 
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn advance(@builtin(global_invocation_id) global_id: vec3<u32>) {
+    // Loads of what is the same for all come before the first branch: after it, software drivers
+    // load it lane by lane.
+    let lone_system = system_frames[0];
+    let lone_wind = winds[0];
     let at = linear_index(global_id, WORKGROUP_SIZE);
     let global_at = pages.source_page * frame.page_len + at;
     if at >= frame.page_len || global_at >= counts.total {
         return;
     }
-    let word = global_at / 32u;
     let bit = global_at % 32u;
-    let bits = alive_bits[word];
-    if ((bits >> bit) & 1u) == 0u {
+    let ranks = word_ranks[global_at / 32u];
+    if ((ranks.y >> bit) & 1u) == 0u {
         return;
     }
-    let rank = word_offsets[word] + countOneBits(bits & ((1u << bit) - 1u));
+    let rank = ranks.x + countOneBits(ranks.y & ((1u << bit) - 1u));
     let target_at = rank - pages.target_page * frame.page_len;
     if target_at >= frame.page_len {
         return;
     }
-    let position_bits = particles[at].position_and_index;
-    let velocity_bits = particles[at].velocity_and_birth;
+#if WIDE == true
+    let particle = from_words(particles[at]);
+#else
+    let particle = particles[at];
+#endif
+    let position_bits = particle.position_and_index;
+    let velocity_bits = particle.velocity_and_birth;
     let velocity = bitcast<vec3<f32>>(velocity_bits.xyz);
-    let system = system_at(slot_of(velocity_bits.w));
+    let system = system_at(slot_of(velocity_bits.w), lone_system);
     let place = bitcast<vec3<f32>>(position_bits.xyz);
     var acceleration = system.acceleration.xyz;
     if DRAGS {
-        acceleration = acceleration + drag_on(system, place, velocity);
+        acceleration = acceleration + drag_on(system, lone_wind, place, velocity);
     }
     let position = place + velocity;
     let next = velocity + acceleration;
-    survivors[target_at] = Particle(
+    let survivor = Particle(
         vec4<u32>(bits_of(position.x), bits_of(position.y), bits_of(position.z), position_bits.w),
         vec4<u32>(bits_of(next.x), bits_of(next.y), bits_of(next.z), velocity_bits.w),
     );
+#if WIDE == true
+    survivors[target_at] = to_words(survivor);
+#else
+    survivors[target_at] = survivor;
+#endif
 }

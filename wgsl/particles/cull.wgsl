@@ -6,6 +6,8 @@
 // dimmer than the threshold and nothing out of bounds is drawn.
 // One invocation a word of 32 particles of one page. Reads: frame, system_frames, rows, counts,
 // particles, bounds. Writes: alive_bits, deaths (atomic adds).
+// The pool is sorted by birth frame: where the first of a word is too young to die of age, so are
+// all, and where nothing else can kill, none is looked at.
 // Invariant: bits at and above counts.total are zero; each death has one cause, the first of age,
 // intensity and bounds that holds.
 
@@ -20,6 +22,9 @@
 #import motes::projection::world_of
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
+// Whether there are several systems, several parameter rows.
+const MANY_SYSTEMS: bool = #{MANY_SYSTEMS};
+const MANY_ROWS: bool = #{MANY_ROWS};
 // Whether any system kills by intensity.
 const THRESHOLDS: bool = #{THRESHOLDS};
 // Whether any system has bounds.
@@ -47,20 +52,24 @@ var<immediate> pages: Pages;
 @group(0) @binding(6) var<storage, read_write> alive_bits: array<u32>;
 @group(0) @binding(7) var<storage, read_write> deaths: array<atomic<u32>>;
 
-// The system in that slot; a lone one is loaded once for all invocations.
-fn system_at(slot: u32) -> SystemFrame {
-    if frame.system_count == 1u {
-        return system_frames[0];
-    }
-    return system_frames[slot];
+// What is the same for all invocations where there is only one of it.
+struct Lone {
+    system: SystemFrame,
+    row: SystemRow,
 }
 
-// The parameter row there. A lone row is loaded once for all invocations, not once for each.
-fn row_at(index: u32) -> SystemRow {
-    if frame.system_count == 1u && frame.row_mask == 0u {
-        return rows[0];
+fn system_at(slot: u32, lone: Lone) -> SystemFrame {
+    if MANY_SYSTEMS {
+        return system_frames[slot];
     }
-    return rows[index];
+    return lone.system;
+}
+
+fn row_at(index: u32, lone: Lone) -> SystemRow {
+    if MANY_ROWS {
+        return rows[index];
+    }
+    return lone.row;
 }
 
 // Whether a world place is beyond the plane, outside what must hold it, or inside what must not.
@@ -91,15 +100,15 @@ fn is_out_of_bounds(system: SystemFrame, world: vec3<f32>) -> bool {
     return is_out;
 }
 
-fn fate_of(at: u32) -> u32 {
+fn fate_of(at: u32, lone: Lone) -> u32 {
     let index = particles[at].position_and_index.w;
     let birth = particles[at].velocity_and_birth.w;
     let slot = slot_of(birth);
     let age = age_of(birth, frame.frame);
     let birth_frame = frame.frame - age;
-    let system = system_at(slot);
+    let system = system_at(slot, lone);
     let who = Identity(system.key, birth_frame, index);
-    let row = row_at(row_index(slot, birth_frame, frame.row_mask));
+    let row = row_at(row_index(slot, birth_frame, frame.row_mask), lone);
     if age >= lifetime_of(who, row.speed_and_lifetime) {
         return DIES_OF_AGE;
     }
@@ -122,6 +131,8 @@ fn fate_of(at: u32) -> u32 {
 
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn cull(@builtin(global_invocation_id) global_id: vec3<u32>) {
+    // Before the first branch, as software drivers load it lane by lane after that.
+    let lone = Lone(system_frames[0], rows[0]);
     let page_start = pages.page * frame.page_len;
     let first = linear_index(global_id, WORKGROUP_SIZE) * 32u;
     let page_end = min(counts.total - min(counts.total, page_start), frame.page_len);
@@ -129,11 +140,13 @@ fn cull(@builtin(global_invocation_id) global_id: vec3<u32>) {
         return;
     }
     let end = min(first + 32u, page_end);
-    var bits = 0u;
+    let oldest = age_of(particles[first].velocity_and_birth.w, frame.frame);
+    let all_live = !THRESHOLDS && !BOUNDS && oldest < frame.least_lifetime;
+    var bits = select(0u, 0xffffffffu >> (32u - (end - first)), all_live);
     var of_intensity = 0u;
     var of_bounds = 0u;
-    for (var at = first; at < end; at += 1u) {
-        let fate = fate_of(at);
+    for (var at = select(first, end, all_live); at < end; at += 1u) {
+        let fate = fate_of(at, lone);
         bits |= select(0u, 1u, fate == LIVES) << (at - first);
         of_intensity += select(0u, 1u, fate == DIES_OF_INTENSITY);
         of_bounds += select(0u, 1u, fate == DIES_OF_BOUNDS);

@@ -4,7 +4,7 @@
 // The survivors of a page are contiguous in the other pool, at or before where they were, so only
 // pairs (source, target) with target <= source can have work, and at most two targets a source do;
 // all other pairs get empty dispatches. One invocation in all.
-// Reads: frame, counts, word_offsets. Writes: dispatches.
+// Reads: frame, counts, word_ranks. Writes: dispatches.
 // Invariant: each survivor is covered by the dispatch of exactly one pair.
 
 #import motes::dispatch::dispatch_for
@@ -14,7 +14,7 @@ const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read> counts: Counts;
-@group(0) @binding(2) var<storage, read> word_offsets: array<u32>;
+@group(0) @binding(2) var<storage, read> word_ranks: array<vec2<u32>>;
 @group(0) @binding(3) var<storage, read_write> dispatches: array<Dispatch>;
 
 // Survivors before particle `at`, a multiple of 32.
@@ -22,7 +22,7 @@ fn survivors_before(at: u32) -> u32 {
     if at >= counts.total {
         return counts.live;
     }
-    return word_offsets[at / 32u];
+    return word_ranks[at / 32u].x;
 }
 
 @compute @workgroup_size(1)

@@ -12,7 +12,7 @@ const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 @group(0) @binding(0) var<storage, read> counts: Counts;
 @group(0) @binding(1) var<storage, read> alive_bits: array<u32>;
 @group(0) @binding(2) var<storage, read> sums_1: array<u32>;
-@group(0) @binding(3) var<storage, read_write> word_offsets: array<u32>;
+@group(0) @binding(3) var<storage, read_write> word_ranks: array<vec2<u32>>;
 
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn spread_bits(@builtin(global_invocation_id) global_id: vec3<u32>) {
@@ -25,7 +25,8 @@ fn spread_bits(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let end = min(first + 64u, words);
     var before = sums_1[run];
     for (var word = first; word < end; word += 1u) {
-        word_offsets[word] = before;
-        before += countOneBits(alive_bits[word]);
+        let bits = alive_bits[word];
+        word_ranks[word] = vec2<u32>(before, bits);
+        before += countOneBits(bits);
     }
 }

@@ -6,7 +6,7 @@
 // Invariant: birth_counts[s] depends on the system, the view and the frame alone.
 
 #import motes::area::screen_area_px
-#import motes::exact::{max_exact, to_i32}
+#import motes::exact::{at_least_zero, to_i32}
 #import motes::layout::{Frame, SYSTEM_PER_AREA, SYSTEM_STOCHASTIC, SystemFrame}
 #import motes::particle::{Identity, STREAM_BIRTHS, draw}
 #import motes::rng::{signed_float, unit_float}
@@ -37,7 +37,7 @@ fn births(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let burst = system_frames[slot].burst_parts
         + signed_float(random.z) * system_frames[slot].burst_var;
     // Neither takes from the other.
-    wanted = max_exact(wanted, 0.0f) + max_exact(burst, 0.0f);
+    wanted = at_least_zero(wanted) + at_least_zero(burst);
     let stochastic = (flags & SYSTEM_STOCHASTIC) != 0u;
     let count = to_i32(wanted + select(0.5f, unit_float(random.y), stochastic));
     birth_counts[slot] = u32(min(count, MOST_BIRTHS));

@@ -1,12 +1,12 @@
 //! resolve: the sums of light become pixels (Reeves 1983, 2.5). Twin of `wgsl/draw/resolve.wgsl`.
 
 use crate::cpu::light::{LightSums, light_of};
-use crate::exact::{clamp_exact, to_i32};
+use crate::exact::{clamp_unit, to_i32};
 use crate::layout::Frame;
 
 #[inline]
 fn byte_of(light: f32) -> u32 {
-    to_i32(clamp_exact(light, 0.0, 1.0) * 255.0 + 0.5) as u32
+    to_i32(clamp_unit(light) * 255.0 + 0.5) as u32
 }
 
 /// One pixel: RGBA with red in the low byte.

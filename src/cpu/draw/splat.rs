@@ -1,13 +1,13 @@
 //! splat: one particle adds its light to the pixels that it covers (Reeves 1983, 2.5 and 3).
 //! Twin of `wgsl/draw/splat.wgsl` and `wgsl/draw/splat_large.wgsl`, which share the work out.
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
-use crate::cpu::footprint::{Footprint, PI, SMALL_DISC, SQUARE, is_visible};
+use crate::cpu::footprint::{Footprint, PI, SMALL_DISC, SMALL_SIDE, SQUARE, is_visible};
 use crate::cpu::light::{LightSums, steps_of};
 use crate::cpu::particle::row_index;
 use crate::cpu::sprite::{Sprite, next_layer, sprite_of};
-use crate::exact::{clamp_exact, dot3, f32_of_i32, less, reciprocal, square_root, to_i32};
+use crate::exact::{clamp_unit, dot3, f32_of_i32, less, reciprocal, square_root, to_i32};
 use crate::layout::{Particle, SystemRow};
 use crate::plan::FrameInputs;
 
@@ -40,29 +40,40 @@ fn draw_row(light: &LightSums, shape: &Footprint, major: i32, color: Vec3) {
     }
 }
 
-/// A disc at rest that covers at most the nine pixels around its centre's.
+/// How much of a pixel a disc around `center` covers, 0 to 1.
+#[inline]
+fn disc_weight(center: Vec2, reach: f32, x: i32, y: i32) -> f32 {
+    let dx = f32_of_i32(x) + 0.5 - center.x;
+    let dy = f32_of_i32(y) + 0.5 - center.y;
+    clamp_unit(reach - square_root(dx * dx + dy * dy))
+}
+
+/// A small disc at rest: its weights, column by column, then their light.
 fn draw_small_disc(light: &LightSums, sprite: &Sprite, reach: f32) {
-    let center = (sprite.start.x, sprite.start.y);
-    let left = to_i32(center.0) - 1;
-    let top = to_i32(center.1) - 1;
-    let mut weights = [0.0; 9];
+    let center = Vec2::new(sprite.start.x, sprite.start.y);
+    let range = |middle: f32| {
+        let first = to_i32(middle - reach + 0.5);
+        let last = to_i32(middle + reach - 0.5);
+        first..first + (last - first + 1).min(SMALL_SIDE as i32)
+    };
+    let (columns, lines) = (range(center.x), range(center.y));
+    let mut weights = [0.0; (SMALL_SIDE * SMALL_SIDE) as usize];
     let mut sum = 0.0;
-    for at in 0..9 {
-        let dx = f32_of_i32(left + at % 3) + 0.5 - center.0;
-        let dy = f32_of_i32(top + at / 3) + 0.5 - center.1;
-        let distance = square_root(dx * dx + dy * dy);
-        let weight = clamp_exact(reach - distance, 0.0, 1.0);
-        weights[at as usize] = weight;
-        sum += weight;
+    for x in columns.clone() {
+        for y in lines.clone() {
+            let weight = disc_weight(center, reach, x, y);
+            weights[((x - columns.start) * SMALL_SIDE as i32 + y - lines.start) as usize] = weight;
+            sum += weight;
+        }
     }
     let gain = PI * sprite.radius_px * sprite.radius_px * reciprocal(sum);
-    for at in 0..9 {
-        let x = left + at % 3;
-        let y = top + at / 3;
-        let weight = weights[at as usize] * gain;
-        let inside = x >= 0 && y >= 0 && x < light.width as i32 && y < light.height as i32;
-        if less(0.0, weight) && inside {
-            add_light(light, x, y, sprite.color, weight);
+    for x in columns.start.max(0)..columns.end.min(light.width as i32) {
+        for y in lines.start.max(0)..lines.end.min(light.height as i32) {
+            let at = (x - columns.start) * SMALL_SIDE as i32 + y - lines.start;
+            let weight = weights[at as usize] * gain;
+            if less(0.0, weight) {
+                add_light(light, x, y, sprite.color, weight);
+            }
         }
     }
 }

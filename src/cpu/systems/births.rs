@@ -3,7 +3,7 @@
 
 use crate::area::screen_area_px;
 use crate::cpu::particle::{Identity, STREAM_BIRTHS, draw};
-use crate::exact::{max_exact, shared_constants, to_i32};
+use crate::exact::{at_least_zero, shared_constants, to_i32};
 use crate::layout::{Counts, Frame, SYSTEM_PER_AREA, SYSTEM_STOCHASTIC, SystemFrame};
 use crate::plan::FrameInputs;
 use crate::rng::{signed_float, unit_float};
@@ -27,7 +27,7 @@ pub fn births_of(system: &SystemFrame, frame: &Frame) -> u32 {
     }
     let burst = system.burst_parts + signed_float(random.z) * system.burst_var;
     // Neither takes from the other.
-    wanted = max_exact(wanted, 0.0) + max_exact(burst, 0.0);
+    wanted = at_least_zero(wanted) + at_least_zero(burst);
     let rounding = if system.flags & SYSTEM_STOCHASTIC != 0 {
         unit_float(random.y)
     } else {

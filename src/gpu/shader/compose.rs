@@ -19,10 +19,13 @@ use super::mangle::{self, demangle};
 use super::sources::{LIBRARIES, Source};
 use super::text;
 
-/// What may stand in a shader beyond the core of WGSL: immediates; and `quantizeToF16` and its
+/// What may stand in a shader beyond the core of WGSL: immediates, 64-bit integers for devices that
+/// have them; and `quantizeToF16` and its
 /// kind, so that the lint can say what to use instead.
-pub(super) const CAPABILITIES: Capabilities =
-    Capabilities::IMMEDIATES.union(Capabilities::SHADER_FLOAT16_IN_FLOAT32);
+pub(super) const CAPABILITIES: Capabilities = Capabilities::IMMEDIATES
+    .union(Capabilities::SHADER_INT64)
+    .union(Capabilities::SHADER_INT64_ATOMIC_ALL_OPS)
+    .union(Capabilities::SHADER_FLOAT16_IN_FLOAT32);
 
 /// A shader as the composer wants it.
 pub(super) struct Input<'a> {
@@ -38,6 +41,8 @@ pub(super) struct Input<'a> {
     pub(super) workgroup_size: u32,
     /// The switches of [`SWITCHES`] that are off.
     pub(super) off: &'a [&'static str],
+    /// Whether `#if WIDE == true` holds.
+    pub(super) wide: bool,
 }
 
 /// What a shader may leave out, by `const STREAKS: bool = #{STREAKS};`, when a plan has no use for
@@ -48,7 +53,9 @@ pub(super) const SWITCHES: &[&str] = &[
     "RATE_SPREADS",
     "DRAGS",
     "MANY_SYSTEMS",
+    "MANY_ROWS",
     "MANY_WINDS",
+    "FLOWS",
     "NOISES",
     "OCTAVES",
     "CURLS",
@@ -122,6 +129,7 @@ fn compose_by(composer: &mut Composer, input: &Input) -> Result<Composed, Shader
         let on = ShaderDefValue::Bool(!input.off.contains(switch));
         shader_defs.insert((*switch).to_owned(), on);
     }
+    shader_defs.insert("WIDE".to_owned(), ShaderDefValue::Bool(input.wide));
     let made = composer.make_naga_module(NagaModuleDescriptor {
         source: &text,
         file_path: input.file,

@@ -45,6 +45,8 @@ pub struct CompileOptions<'a> {
     pub checked: bool,
     /// Switches (`THRESHOLDS`, `STREAKS`, `RECTANGLES`) that are off: what the plan does not use.
     pub off: &'a [&'static str],
+    /// Whether the device has 64-bit integers and adds them atomically: what `WIDE` stands for.
+    pub wide: bool,
     /// Changes the module after it has passed the lint, so that a test can see a twin fail.
     pub mutate: Option<&'a dyn Fn(&mut naga::Module)>,
 }
@@ -56,6 +58,7 @@ impl Default for CompileOptions<'_> {
             workgroup_size: 256,
             checked: false,
             off: &[],
+            wide: false,
             mutate: None,
         }
     }
@@ -67,6 +70,7 @@ impl fmt::Debug for CompileOptions<'_> {
             .field("workgroup_size", &self.workgroup_size)
             .field("checked", &self.checked)
             .field("off", &self.off)
+            .field("wide", &self.wide)
             .field("mutate", &self.mutate.is_some())
             .finish()
     }
@@ -116,6 +120,7 @@ pub fn compile_source(
         libraries: sources::LIBRARIES,
         workgroup_size: options.workgroup_size,
         off: options.off,
+        wide: options.wide,
     };
     compile_input(&input, options)
 }
@@ -196,6 +201,7 @@ fn input<'a>(source: &'static sources::Source, options: &CompileOptions<'a>) -> 
         libraries: sources::LIBRARIES,
         workgroup_size: options.workgroup_size,
         off: options.off,
+        wide: options.wide,
     }
 }
 

@@ -130,6 +130,7 @@ fn scalar_name(scalar: Scalar) -> &'static str {
     match (scalar.kind, scalar.width) {
         (ScalarKind::Sint, 4) => "i32",
         (ScalarKind::Uint, 4) => "u32",
+        (ScalarKind::Uint, 8) => "u64",
         (ScalarKind::Float, 4) => "f32",
         (ScalarKind::Bool, _) => "bool",
         _ => "?",

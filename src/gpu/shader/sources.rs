@@ -36,6 +36,7 @@ pub static LIBRARIES: &[Source] = sources![
     "lib/wind",
     "lib/area",
     "lib/light",
+    "lib/packed",
     "lib/particle",
     "lib/emission",
     "lib/projection",
@@ -60,8 +61,12 @@ pub static KERNELS: &[Source] = sources![
     "draw/large_work",
     "draw/splat_large",
     "draw/resolve",
+    "draw/unpack",
     "digest/digest",
 ];
+
+/// Kernels that only devices with 64-bit atomics run.
+pub static WIDE_KERNELS: &[&str] = &["draw/unpack"];
 
 /// Kernels of no frame: what others are measured against.
 pub static YARDSTICKS: &[Source] =

@@ -21,6 +21,13 @@ const OP_F_MUL: u32 = 133;
 const OP_VECTOR_TIMES_SCALAR: u32 = 142;
 const NO_CONTRACTION: u32 = 42;
 
+/// What a kernel may ask a device for; those with 64-bit integers are for devices that have them.
+const ALLOWED: &[spv::Capability] = &[
+    spv::Capability::Shader,
+    spv::Capability::Int64,
+    spv::Capability::Int64Atomics,
+];
+
 /// Words of the header; the fourth is the bound of ids.
 const HEADER_LEN: usize = 5;
 const BOUND: usize = 3;
@@ -44,7 +51,7 @@ pub(super) fn write(
         lang_version: (1, 3),
         flags: spv::WriterFlags::empty(),
         fake_missing_bindings: true,
-        capabilities: Some([spv::Capability::Shader].into_iter().collect()),
+        capabilities: Some(ALLOWED.iter().copied().collect()),
         bounds_check_policies: BoundsCheckPolicies {
             index: policy,
             buffer: policy,

@@ -60,6 +60,7 @@ fn compile(text: &str, libraries: &[Source]) -> Result<super::CompiledKernel, Sh
         libraries,
         workgroup_size: 64,
         off: &[],
+        wide: false,
     };
     compile_input(&input, &CompileOptions::default())
 }

@@ -129,6 +129,12 @@ impl Track {
         std::array::from_fn(|i| numbers(i).fold(f32::MIN, f32::max))
     }
 
+    /// The least value at any key, number by number.
+    fn least(&self) -> [f32; 3] {
+        let numbers = |i: usize| self.keys.iter().map(move |key| key.value[i]);
+        std::array::from_fn(|i| numbers(i).fold(f32::MAX, f32::min))
+    }
+
     /// Puts the value at a time into its place in the scene.
     pub(super) fn put(&self, scene: &mut Scene, time: f64) {
         self.put_value(scene, self.at(time));
@@ -161,6 +167,11 @@ impl Scene {
     /// What any frame of the scene has of something that grows with its numbers, this has.
     pub fn greatest(&self) -> Cow<'_, Self> {
         self.with(Track::greatest)
+    }
+
+    /// As [`Scene::greatest`], of the least values.
+    pub fn least(&self) -> Cow<'_, Self> {
+        self.with(Track::least)
     }
 
     /// The scene without keys, each value that has some being what `value` says.

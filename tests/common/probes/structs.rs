@@ -21,7 +21,7 @@ pub(super) fn anywhere(r: &Arguments) -> Vec4 {
 
 /// A wind of some kind, and a place.
 pub(super) const WIND_IMPORTS: &str = "#import motes::layout::Wind
-#import motes::wind::{Noises, wind_of}
+#import motes::wind::{Kinds, wind_of}
 fn flow(kind: u32, c: f32, d: f32, w: u32, i: u32) -> vec3<f32> {
     let wind = Wind(
         vec4<u32>(kind, 1u + (i & 3u), w, (w >> 9u) & 1u),
@@ -33,7 +33,7 @@ fn flow(kind: u32, c: f32, d: f32, w: u32, i: u32) -> vec3<f32> {
     let any = kind >= 4u || (w & 1u) == 0u;
     // One octave by either way.
     let many = wind.kinds.y != 1u || (w & 2u) == 0u;
-    return wind_of(wind, vec3<f32>(d, c, c * 0.25f), Noises(any, many, kind == 5u));
+    return wind_of(wind, vec3<f32>(d, c, c * 0.25f), Kinds(kind > 0u, any, many, kind == 5u));
 }";
 
 pub(super) fn flow(r: &Arguments, kind: u32) -> Vec3 {
