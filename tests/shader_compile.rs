@@ -204,10 +204,12 @@ fn shaders_of_the_rasteriser_are_valid_wgsl() {
         let module = naga::front::wgsl::parse_str(raster.text)
             .unwrap_or_else(|e| panic!("{}", e.emit_to_string_with_path(raster.text, raster.file)));
         let flags = naga::valid::ValidationFlags::all();
-        let mut validator =
-            naga::valid::Validator::new(flags, naga::valid::Capabilities::empty());
+        let mut validator = naga::valid::Validator::new(flags, naga::valid::Capabilities::empty());
         if let Err(error) = validator.validate(&module) {
-            panic!("{}", error.emit_to_string_with_path(raster.text, raster.file));
+            panic!(
+                "{}",
+                error.emit_to_string_with_path(raster.text, raster.file)
+            );
         }
     }
 }

@@ -102,6 +102,10 @@ pub struct Run {
     /// Memory that the backend allocated on the device, bytes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gpu_memory_bytes: Option<u64>,
+    /// Rate of the fastest copy by a kernel of as many records, measured beside the frames; shares
+    /// of the passes are of this.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub copy_kernel_gb_per_s: Option<f64>,
     /// What each pass took, in the order of the frame.
     pub passes: Vec<Measure>,
     /// What a reader should know before believing the numbers.
@@ -175,7 +179,7 @@ impl Measure {
 }
 
 /// 10^9 bytes a second; `None` for no bytes or no time.
-pub fn gb_per_s(bytes: u64, ms: f64) -> Option<f64> {
+pub(super) fn gb_per_s(bytes: u64, ms: f64) -> Option<f64> {
     (bytes > 0 && ms > 0.0).then(|| bytes as f64 / (ms * 1e6))
 }
 

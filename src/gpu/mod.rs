@@ -11,6 +11,7 @@ mod commands;
 mod device;
 pub mod dispatch;
 mod kernel;
+mod measured;
 mod memory;
 mod needs;
 mod options;

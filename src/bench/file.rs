@@ -1,0 +1,387 @@
+//! Records as files: JSON, one record by itself or several in an array.
+
+use std::fmt;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+use serde_json::ser::{Formatter, PrettyFormatter};
+
+use super::record::{Measure, Record, Run, SCHEMA};
+use super::spread::Spread;
+use crate::output::{OutputError, write_whole};
+
+/// A file that holds no records.
+#[derive(Debug)]
+pub struct RecordError {
+    /// The file, as the user wrote it.
+    pub path: PathBuf,
+    /// What is wrong, and where.
+    pub problem: String,
+    /// What would be right.
+    pub help: String,
+    /// Whether another file would help; else the machine could not read this one.
+    pub is_users_fault: bool,
+}
+
+impl fmt::Display for RecordError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (path, problem, help) = (self.path.display(), &self.problem, &self.help);
+        write!(f, "error: {problem}\n  --> {path}\n  = help: {help}")
+    }
+}
+
+impl std::error::Error for RecordError {}
+
+const HELP: &str = "give a file that `motes bench --json FILE` wrote";
+
+/// The records of a file: one, or an array of them.
+///
+/// # Errors
+/// The user's fault: no such file, not JSON, no record, one of another version, or numbers that no
+/// measurement gives. The machine's: the file cannot be read.
+pub fn read_records(path: &Path) -> Result<Vec<Record>, RecordError> {
+    let bytes = std::fs::read(path).map_err(|error| {
+        use io::ErrorKind::{IsADirectory, NotADirectory, NotFound};
+        RecordError {
+            path: path.to_owned(),
+            problem: format!("cannot read the record: {error}"),
+            help: HELP.to_owned(),
+            is_users_fault: matches!(error.kind(), NotFound | IsADirectory | NotADirectory),
+        }
+    })?;
+    parse_records(&bytes).map_err(|(problem, help)| RecordError {
+        path: path.to_owned(),
+        problem,
+        help,
+        is_users_fault: true,
+    })
+}
+
+/// One record or several.
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum Heads {
+    Many(Vec<Head>),
+    One(Head),
+}
+
+/// As much as is the same in every version.
+#[derive(Deserialize)]
+struct Head {
+    schema: Option<serde_json::Value>,
+}
+
+/// The records in this JSON; else the problem, and what would be right.
+///
+/// # Errors
+/// See [`read_records`].
+pub fn parse_records(json: &[u8]) -> Result<Vec<Record>, (String, String)> {
+    let no_record = |problem: String| (problem, HELP.to_owned());
+    if json.trim_ascii().is_empty() {
+        return Err(no_record("the file is empty".to_owned()));
+    }
+    // First the syntax, then the version, then the keys: each fault is called by its name.
+    if let Err(error) = serde_json::from_slice::<serde::de::IgnoredAny>(json) {
+        return Err(no_record(format!("this is not JSON: {error}")));
+    }
+    let (heads, is_array) = match serde_json::from_slice(json) {
+        Ok(Heads::Many(heads)) => (heads, true),
+        Ok(Heads::One(head)) => (vec![head], false),
+        Err(_) => {
+            return Err(no_record(
+                "this JSON is no record of `motes bench`".to_owned(),
+            ));
+        }
+    };
+    for head in &heads {
+        match &head.schema {
+            Some(schema) if *schema == SCHEMA => {}
+            Some(schema) => {
+                return Err((
+                    format!(
+                        "a record with schema {schema}, and this program reads schema {SCHEMA}"
+                    ),
+                    "read it with the Motes that wrote it, or measure again".to_owned(),
+                ));
+            }
+            None => {
+                return Err(no_record(
+                    "the key `schema` is missing, so this is no record".to_owned(),
+                ));
+            }
+        }
+    }
+    let records = match is_array {
+        true => serde_json::from_slice(json),
+        false => serde_json::from_slice(json).map(|record| vec![record]),
+    };
+    let records: Vec<Record> =
+        records.map_err(|error| no_record(format!("in this record: {error}")))?;
+    if records.is_empty() {
+        return Err(no_record("the file holds no record".to_owned()));
+    }
+    for record in &records {
+        check(record).map_err(no_record)?;
+    }
+    Ok(records)
+}
+
+/// Refuses numbers that no measurement gives, and names that stand for two things.
+fn check(record: &Record) -> Result<(), String> {
+    check_measures("micro", &record.micro)?;
+    for (at, run) in record.runs.iter().enumerate() {
+        let place = format!("{} at {} particles", run.scene, run.particles);
+        let same = |other: &Run| other.scene == run.scene && other.particles == run.particles;
+        if record.runs[..at].iter().any(same) {
+            return Err(format!("`{place}` stands twice in this record"));
+        }
+        for (name, ms) in [
+            ("frame_ms", &run.frame_ms),
+            ("step_ms", &run.step_ms),
+            ("draw_ms", &run.draw_ms),
+        ] {
+            check_spread(ms).map_err(|fault| format!("`{name}` of {place} {fault}"))?;
+        }
+        check_measures(&place, &run.passes)?;
+    }
+    Ok(())
+}
+
+fn check_measures(place: &str, measures: &[Measure]) -> Result<(), String> {
+    for (at, Measure { name, ms, .. }) in measures.iter().enumerate() {
+        if measures[..at].iter().any(|other| other.name == *name) {
+            return Err(format!("`{name}` stands twice in {place}"));
+        }
+        check_spread(ms).map_err(|fault| format!("`{name}` of {place} {fault}"))?;
+    }
+    Ok(())
+}
+
+fn check_spread(ms: &Spread) -> Result<(), String> {
+    let told = [ms.p10, ms.median, ms.p90];
+    if let Some(wrong) = told.iter().chain(&ms.samples).find(|it| **it < 0.0) {
+        return Err(format!("took {wrong} ms, and no time is negative"));
+    }
+    match told.is_sorted() {
+        true => Ok(()),
+        false => Err(format!("has p10, median and p90 out of order: {told:?}")),
+    }
+}
+
+/// The records as JSON, keys in their documented order: one by itself, several in an array.
+pub fn records_json(records: &[Record]) -> String {
+    let mut bytes = Vec::new();
+    let mut serializer = serde_json::Serializer::with_formatter(&mut bytes, Readable::default());
+    let done = match records {
+        [record] => record.serialize(&mut serializer),
+        records => records.serialize(&mut serializer),
+    };
+    done.expect("a record has text for keys, and memory takes all that is written");
+    let mut text = String::from_utf8(bytes).expect("JSON is UTF-8");
+    text.push('\n');
+    text
+}
+
+/// Writes the records, whole or not at all; folders that are missing above are created.
+///
+/// # Errors
+/// The user's fault: a path that cannot be a file. The machine's: it cannot be written.
+pub fn write_records(path: &Path, records: &[Record]) -> Result<(), OutputError> {
+    write_whole(path, records_json(records).as_bytes())
+}
+
+/// A key a line, but numbers of an array on one.
+#[derive(Default)]
+struct Readable {
+    lines: PrettyFormatter<'static>,
+    /// For each array that is open, whether it has stayed on one line.
+    arrays: Vec<bool>,
+    /// A value of an array is about to be written; whether it is the first.
+    pending: Option<bool>,
+}
+
+type Done = io::Result<()>;
+
+impl Readable {
+    /// Before a scalar: on the line of the one before.
+    fn scalar<W: ?Sized + io::Write>(&mut self, to: &mut W) -> Done {
+        match self.pending.take() {
+            Some(false) => to.write_all(b", "),
+            _ => Ok(()),
+        }
+    }
+
+    /// Before an object or an array: on a line of its own.
+    fn compound<W: ?Sized + io::Write>(&mut self, to: &mut W) -> Done {
+        match self.pending.take() {
+            Some(first) => {
+                if let Some(flat) = self.arrays.last_mut() {
+                    *flat = false;
+                }
+                self.lines.begin_array_value(to, first)
+            }
+            None => Ok(()),
+        }
+    }
+}
+
+macro_rules! scalars {
+    ($($write:ident($value:ty)),*) => {$(
+        fn $write<W: ?Sized + io::Write>(&mut self, to: &mut W, value: $value) -> Done {
+            self.scalar(to)?;
+            self.lines.$write(to, value)
+        }
+    )*};
+}
+
+impl Formatter for Readable {
+    scalars!(
+        write_bool(bool),
+        write_u32(u32),
+        write_u64(u64),
+        write_f64(f64)
+    );
+
+    fn write_null<W: ?Sized + io::Write>(&mut self, to: &mut W) -> Done {
+        self.scalar(to)?;
+        self.lines.write_null(to)
+    }
+
+    fn begin_string<W: ?Sized + io::Write>(&mut self, to: &mut W) -> Done {
+        self.scalar(to)?;
+        self.lines.begin_string(to)
+    }
+
+    fn begin_array<W: ?Sized + io::Write>(&mut self, to: &mut W) -> Done {
+        self.compound(to)?;
+        self.arrays.push(true);
+        self.lines.begin_array(to)
+    }
+
+    fn end_array<W: ?Sized + io::Write>(&mut self, to: &mut W) -> Done {
+        self.arrays.pop();
+        self.lines.end_array(to)
+    }
+
+    fn begin_array_value<W: ?Sized + io::Write>(&mut self, _: &mut W, first: bool) -> Done {
+        // What goes before it depends on what it is.
+        self.pending = Some(first);
+        Ok(())
+    }
+
+    fn end_array_value<W: ?Sized + io::Write>(&mut self, to: &mut W) -> Done {
+        match self.arrays.last() {
+            Some(false) => self.lines.end_array_value(to),
+            _ => Ok(()),
+        }
+    }
+
+    fn begin_object<W: ?Sized + io::Write>(&mut self, to: &mut W) -> Done {
+        self.compound(to)?;
+        self.lines.begin_object(to)
+    }
+
+    fn end_object<W: ?Sized + io::Write>(&mut self, to: &mut W) -> Done {
+        self.lines.end_object(to)
+    }
+
+    fn begin_object_key<W: ?Sized + io::Write>(&mut self, to: &mut W, first: bool) -> Done {
+        self.lines.begin_object_key(to, first)
+    }
+
+    fn begin_object_value<W: ?Sized + io::Write>(&mut self, to: &mut W) -> Done {
+        self.lines.begin_object_value(to)
+    }
+
+    fn end_object_value<W: ?Sized + io::Write>(&mut self, to: &mut W) -> Done {
+        self.lines.end_object_value(to)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bench::{Clock, Part};
+
+    fn record() -> Record {
+        let pass = Measure {
+            part: Some(Part::Step),
+            ..Measure::new(
+                "advance",
+                vec![2.0, 1.0, 4.0],
+                Clock::Wall,
+                10,
+                640,
+                Some(3.0),
+            )
+        };
+        Record {
+            schema: SCHEMA,
+            adapter: "cpu \"quoted\"".to_owned(),
+            backend: "cpu".to_owned(),
+            copy_kernel_gb_per_s: Some(3.0),
+            micro: vec![Measure::new(
+                "copy_kernel",
+                vec![0.5],
+                Clock::Wall,
+                1,
+                64,
+                None,
+            )],
+            runs: vec![Run {
+                scene: "million".to_owned(),
+                particles: 10,
+                image_px: Some([16, 9]),
+                passes: vec![pass],
+                ..Run::default()
+            }],
+            ..Record::default()
+        }
+    }
+
+    #[test]
+    fn a_record_comes_back_as_it_was_written() {
+        let one = record();
+        let two = Record {
+            adapter: "llvmpipe".to_owned(),
+            ..record()
+        };
+        for records in [vec![one.clone()], vec![one, two]] {
+            let json = records_json(&records);
+            assert_eq!(parse_records(json.as_bytes()), Ok(records), "{json}");
+        }
+    }
+
+    #[test]
+    fn samples_stay_on_a_line_and_keys_in_their_order() {
+        let json = records_json(&[record()]);
+        assert!(json.contains("\"samples\": [2.0, 1.0, 4.0]\n"), "{json}");
+        assert!(
+            json.starts_with("{\n  \"schema\": 1,\n  \"motes\": "),
+            "{json}"
+        );
+        assert!(json.ends_with("  ]\n}\n"), "{json}");
+        let places = [
+            "\"micro\": [\n    {\n",
+            "\"runs\": [",
+            "\"passes\": [\n        {",
+        ];
+        let found: Vec<Option<usize>> = places.iter().map(|it| json.find(it)).collect();
+        assert!(
+            found.is_sorted() && !found.contains(&None),
+            "{found:?} {json}"
+        );
+    }
+
+    #[test]
+    fn unknown_keys_are_passed_over_and_the_least_record_is_read() {
+        let json = r#"{"schema": 1, "adapter": "a", "driver": "d", "backend": "b", "exact": true,
+            "copy_kernel_gb_per_s": 2, "copy_buffer_gb_per_s": null, "weather": {"rain": [1]},
+            "micro": [], "runs": [{"scene": "s", "particles": 5, "frames": 2, "peak_memory_bytes": 1,
+            "frame_ms": {"median": 2, "p10": 1, "p90": 3, "mode": 2}, "passes": [],
+            "step_ms": {"median": 2, "p10": 1, "p90": 3}, "draw_ms": {"median": 0, "p10": 0, "p90": 0}}]}"#;
+        let records = parse_records(json.as_bytes()).expect("it has every key of the contract");
+        assert_eq!(records[0].runs[0].frame_ms.samples_or_median(), [2.0]);
+    }
+}
