@@ -99,7 +99,10 @@ mod tests {
         for n in [100, 400, 10_000] {
             let expected = 0.98 / (n as f64).sqrt() / 1.5;
             let got = uncertainty(&line(n));
-            assert!((got - expected).abs() < 2.0 / n as f64, "{n}: {got}, not {expected}");
+            assert!(
+                (got - expected).abs() < 2.0 / n as f64,
+                "{n}: {got}, not {expected}"
+            );
         }
         assert_eq!(uncertainty(&[1.0, 2.0]), f64::INFINITY);
         assert_eq!(uncertainty(&[0.0; 9]), 0.0);

@@ -108,6 +108,11 @@ impl Copy {
         }
     }
 
+    /// How many it copies.
+    pub(super) fn records(&self) -> u32 {
+        self.records
+    }
+
     /// Bytes read and written by a run.
     pub(super) fn bytes(&self) -> u64 {
         u64::from(self.records) * 2 * size_of::<Particle>() as u64
@@ -140,8 +145,7 @@ pub(super) fn of_form(
 ) -> Result<(f64, u32, Yardstick), BackendError> {
     let mut best: Option<(f64, u32, Yardstick)> = None;
     for size in WORKGROUPS {
-        let mut yardstick =
-            Yardstick::kernel(memory, "copy_kernel", kernel, size, invocations)?;
+        let mut yardstick = Yardstick::kernel(memory, "copy_kernel", kernel, size, invocations)?;
         // The first run compiles.
         yardstick.run()?;
         let mut times = Vec::new();

@@ -7,9 +7,7 @@ use super::spread::Clock;
 use super::target::Target;
 use crate::backend::{Backend, BackendError};
 use crate::cpu::CpuBackend;
-use crate::gpu::{
-    GpuBackend, GpuOptions, Load, STAGE_KERNELS, Traffic, stage_traffic, traffic,
-};
+use crate::gpu::{GpuBackend, GpuOptions, Load, STAGE_KERNELS, Traffic, stage_traffic, traffic};
 use crate::layout::FrameStats;
 use crate::plan::{FrameInputs, Plan, STAGES};
 
@@ -142,7 +140,11 @@ impl Lane {
         let low = self.backend().read("light_low")?;
         let high = self.backend().read("light_high")?;
         let lit = |(low, high): (&[u32], &[u32])| low.iter().chain(high).any(|word| *word != 0);
-        let lit_pixels = low.chunks(3).zip(high.chunks(3)).filter(|two| lit(*two)).count();
+        let lit_pixels = low
+            .chunks(3)
+            .zip(high.chunks(3))
+            .filter(|two| lit(*two))
+            .count();
         let (large, pages) = match &mut self.backend {
             Bound::Cpu(_) => (0, 1),
             Bound::Gpu(gpu) => (gpu.large_particles()?, gpu.page_count().into()),

@@ -35,9 +35,7 @@ pub(super) fn record_of(target: &Target) -> Record {
             record.driver = description.driver.clone();
             record.backend = description.backend.clone();
             record.exact = description.exact;
-            record
-                .options
-                .insert("workgroup_size".into(), "256".into());
+            record.options.insert("workgroup_size".into(), "256".into());
         }
     }
     if cfg!(debug_assertions) {

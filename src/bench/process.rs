@@ -21,7 +21,11 @@ pub(super) fn peak_memory_bytes() -> u64 {
     let field = || {
         let text = fs::read_to_string("/proc/self/status").ok()?;
         let line = text.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
-        line.trim().trim_end_matches("kB").trim().parse::<u64>().ok()
+        line.trim()
+            .trim_end_matches("kB")
+            .trim()
+            .parse::<u64>()
+            .ok()
     };
     field().unwrap_or(0) * 1024
 }

@@ -69,7 +69,9 @@ impl Job<'_> {
                  leave --particles out",
             ));
         };
-        let scaled = self.scene.with_births(f64::from(particles) / f64::from(steady));
+        let scaled = self
+            .scene
+            .with_births(f64::from(particles) / f64::from(steady));
         let most = |scene: &Scene| {
             let births = scene.systems.iter().map(|system| {
                 let bursts = system.bursts.iter().map(|burst| burst.parts.mean);
@@ -160,14 +162,25 @@ pub fn run(
             is_warm_up,
             frames,
         });
-        if go_on { Ok(()) } else { Err(BenchError::Stopped) }
+        if go_on {
+            Ok(())
+        } else {
+            Err(BenchError::Stopped)
+        }
     };
     let (begin, live) = warm_up(&plan, &span, &mut lanes, &mut ask)?;
     let mut copies = Vec::new();
     for target in targets {
         copies.push(Copy::fastest(target, live.clamp(1, MOST_BESIDE))?);
     }
-    let taken = measure(&plan, budget, (begin, span.most), &mut lanes, &mut copies, &mut ask)?;
+    let taken = measure(
+        &plan,
+        budget,
+        (begin, span.most),
+        &mut lanes,
+        &mut copies,
+        &mut ask,
+    )?;
     let peak_memory_bytes = process::peak_memory_bytes();
     let lanes = lanes.iter_mut().zip(&copies).zip(taken);
     let runs = lanes.map(|((lane, copy), taken)| {
@@ -275,7 +288,9 @@ fn measure(
             {
                 *sum += after - before;
             }
-            taken.frame_ms.push(times.passes.iter().map(|pass| pass.ms).sum());
+            taken
+                .frame_ms
+                .push(times.passes.iter().map(|pass| pass.ms).sum());
             taken.frames.push(times);
             taken.stats.extend(lane.statistics()?);
             let (ms, clock) = copies[at].run()?;
@@ -316,16 +331,32 @@ fn told(
     let copied = Spread::new(taken.copy_ms, taken.copy_clock);
     let copy_rate = gb_per_s(copy.bytes(), copied.median);
     let names: Vec<_> = taken.frames.first().map_or(Vec::new(), |first| {
-        first.passes.iter().map(|pass| (pass.name, pass.part)).collect()
+        first
+            .passes
+            .iter()
+            .map(|pass| (pass.name, pass.part))
+            .collect()
     });
     let pass = |(at, (name, part)): (usize, &(&'static str, Part))| {
-        let samples = taken.frames.iter().filter_map(|frame| Some(frame.passes.get(at)?.ms));
+        let samples = taken
+            .frames
+            .iter()
+            .filter_map(|frame| Some(frame.passes.get(at)?.ms));
         let counted = lane.traffic(name, &load);
         let of = counted.unwrap_or_default();
         Measure {
             part: Some(*part),
-            note: counted.is_none().then(|| "nobody has counted its bytes".into()),
-            ..Measure::new(*name, samples.collect(), clock, of.items, of.bytes, copy_rate)
+            note: counted
+                .is_none()
+                .then(|| "nobody has counted its bytes".into()),
+            ..Measure::new(
+                *name,
+                samples.collect(),
+                clock,
+                of.items,
+                of.bytes,
+                copy_rate,
+            )
         }
     };
     let passes = names.iter().enumerate().map(pass).collect();

@@ -196,11 +196,7 @@ impl Yardstick {
     }
 }
 
-fn compiled(
-    gpu: &GpuDevice,
-    kernel: &str,
-    workgroup_size: u32,
-) -> Result<Kernel, BackendError> {
+fn compiled(gpu: &GpuDevice, kernel: &str, workgroup_size: u32) -> Result<Kernel, BackendError> {
     let options = CompileOptions {
         workgroup_size,
         ..CompileOptions::default()

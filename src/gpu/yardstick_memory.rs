@@ -60,7 +60,11 @@ impl YardstickMemory {
         self.records
     }
 
-    pub(super) fn named<'a>(&'a self, name: &str, page: Option<&'a Page>) -> Option<&'a wgpu::Buffer> {
+    pub(super) fn named<'a>(
+        &'a self,
+        name: &str,
+        page: Option<&'a Page>,
+    ) -> Option<&'a wgpu::Buffer> {
         match (name, page) {
             ("source", Some(page)) => Some(&page.source),
             ("destination", Some(page)) => Some(&page.destination),
@@ -87,7 +91,11 @@ fn fill(gpu: &GpuDevice, buffer: &wgpu::Buffer, first: u64) -> Result<(), Backen
     for start in (0..words).step_by(CHUNK_WORDS as usize) {
         let end = (start + u64::from(CHUNK_WORDS)).min(words);
         let chunk: Vec<u32> = (start..end)
-            .map(|at| ((first + at) as u32).wrapping_mul(0x9e37_79b9).rotate_left(13))
+            .map(|at| {
+                ((first + at) as u32)
+                    .wrapping_mul(0x9e37_79b9)
+                    .rotate_left(13)
+            })
             .map(|word| word.wrapping_mul(0x85eb_ca6b))
             .collect();
         gpu.write(buffer, start * 4, bytemuck::cast_slice(&chunk))?;
@@ -111,10 +119,7 @@ fn page(gpu: &GpuDevice, start: u32, records: u32) -> Result<Page, BackendError>
 }
 
 /// What is not in pages: the table of the atomics, and all that the prefix sum binds.
-fn named(
-    gpu: &GpuDevice,
-    records: u32,
-) -> Result<Vec<(&'static str, wgpu::Buffer)>, BackendError> {
+fn named(gpu: &GpuDevice, records: u32) -> Result<Vec<(&'static str, wgpu::Buffer)>, BackendError> {
     let storage = |name: &'static str, words: u32| {
         let buffer = buffer(gpu, name, u64::from(words) * 4, wgpu::BufferUsages::STORAGE);
         (name, buffer)
@@ -131,7 +136,12 @@ fn named(
         storage("statistics", words_of(size_of::<FrameStats>()) * 256),
         (
             "frame",
-            buffer(gpu, "frame", size_of::<Frame>() as u64, wgpu::BufferUsages::UNIFORM),
+            buffer(
+                gpu,
+                "frame",
+                size_of::<Frame>() as u64,
+                wgpu::BufferUsages::UNIFORM,
+            ),
         ),
     ];
     for (name, buffer) in &list {
