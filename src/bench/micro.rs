@@ -93,33 +93,63 @@ pub fn micro(
     if let Target::Gpu(device) = target {
         entries.extend(gpu::rasters(device, particles)?);
     }
-    // The first run of each compiles it, and gives its memory to what is written.
-    for entry in &mut entries {
-        (entry.run)()?;
-    }
-    for round in 0..budget.most() {
-        let progress = Progress {
+    take(&mut entries, &budget, &mut |round| {
+        watch(&Progress {
             what: "micro",
             particles: Some(particles),
             is_warm_up: false,
             frames: round,
-        };
-        if !watch(&progress) {
+        })
+    })?;
+    Ok(told(entries))
+}
+
+/// Measures the two copies alone.
+pub(super) fn copies(
+    target: &Target,
+    records: u32,
+    budget: &Budget,
+) -> Result<Vec<Measure>, BenchError> {
+    let budget = Budget {
+        secs: budget.secs * PART_OF_TIME,
+        ..*budget
+    };
+    let mut entries = vec![copy_entry(Copy::fastest(target, records)?)];
+    entries.push(match target {
+        Target::Cpu => cpu::copy_buffer(records)?,
+        Target::Gpu(device) => gpu::copy_buffer(device, records)?,
+    });
+    take(&mut entries, &budget, &mut |_| true)?;
+    Ok(told(entries))
+}
+
+/// Runs all in turn, until each has been run often enough.
+fn take(
+    entries: &mut [Entry],
+    budget: &Budget,
+    go_on: &mut dyn FnMut(u32) -> bool,
+) -> Result<(), BenchError> {
+    // The first run of each compiles it, and gives its memory to what is written.
+    for entry in &mut *entries {
+        (entry.run)()?;
+    }
+    for round in 0..budget.most() {
+        if !go_on(round) {
             return Err(BenchError::Stopped);
         }
         // In turn, so that what else the machine does falls on all alike.
-        for entry in &mut entries {
-            if !entry.is_done(&budget) {
+        for entry in &mut *entries {
+            if !entry.is_done(budget) {
                 let (ms, clock) = (entry.run)()?;
                 entry.samples.push(ms);
                 entry.clock = clock;
             }
         }
-        if entries.iter().all(|entry| entry.is_done(&budget)) {
+        if entries.iter().all(|entry| entry.is_done(budget)) {
             break;
         }
     }
-    Ok(told(entries))
+    Ok(())
 }
 
 fn told(entries: Vec<Entry>) -> Vec<Measure> {

@@ -1,8 +1,10 @@
 //! The command line: parsed low, checked high, one file a subcommand.
 
 mod adapters;
+mod bench;
 mod check;
 mod completions;
+mod interrupt;
 mod man;
 mod render;
 mod scenes;
@@ -40,6 +42,8 @@ enum Command {
     Render(render::RenderArgs),
     /// Compare an adapter with the processor, bit for bit
     Check(check::CheckArgs),
+    /// Measure what each pass of a frame costs on an adapter
+    Bench(bench::BenchArgs),
     /// List the adapters that scenes can run on, best first
     Adapters(adapters::AdaptersArgs),
     /// List the built-in scenes, or what can be changed in one
@@ -201,6 +205,7 @@ pub fn main() -> u8 {
     let result = match cli.command {
         Command::Render(args) => render::run(args),
         Command::Check(args) => check::run(&args),
+        Command::Bench(args) => bench::run(&args),
         Command::Adapters(args) => adapters::run(&args),
         Command::Scenes(args) => scenes::run(&args),
         Command::Schema(args) => schema::run(&args),

@@ -59,6 +59,18 @@ fn entry(
     Entry::new(name, items, bytes, run)
 }
 
+/// The interface's own copy, on records of its own.
+pub(super) fn copy_buffer(device: &GpuDevice, records: u32) -> Result<Entry, BackendError> {
+    let memory = Rc::new(YardstickMemory::new(device, records)?);
+    let copied = Yardstick::copy_buffer(&memory)?;
+    Ok(entry(
+        &memory,
+        "copy_buffer",
+        64 * u64::from(records),
+        copied,
+    ))
+}
+
 /// All but the rasteriser.
 pub(super) fn entries(device: &GpuDevice, records: u32) -> Result<Vec<Entry>, BackendError> {
     let memory = Rc::new(YardstickMemory::new(device, records)?);

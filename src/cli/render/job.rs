@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use super::frame::{picture_of, rows_of};
-use super::interrupt::Interrupt;
+use crate::cli::interrupt::Interrupt;
 use super::journal::{Finished, Journal};
 use super::summary::Summary;
 use crate::backend::BackendError;

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::time::Duration;
 
-use super::interrupt::Interrupt;
+use crate::cli::interrupt::Interrupt;
 use super::job::{Job, Pictures};
 use super::journal::{Finished, Journal};
 use super::summary::Summary;
