@@ -2,6 +2,7 @@
 
 mod adapters;
 mod check;
+mod compare;
 mod completions;
 mod man;
 mod render;
@@ -40,6 +41,8 @@ enum Command {
     Render(render::RenderArgs),
     /// Compare an adapter with the processor, bit for bit
     Check(check::CheckArgs),
+    /// Tell whether it got slower, from records that bench made
+    Compare(compare::CompareArgs),
     /// List the adapters that scenes can run on, best first
     Adapters(adapters::AdaptersArgs),
     /// List the built-in scenes, or what can be changed in one
@@ -201,6 +204,7 @@ pub fn main() -> u8 {
     let result = match cli.command {
         Command::Render(args) => render::run(args),
         Command::Check(args) => check::run(&args),
+        Command::Compare(args) => compare::run(&args),
         Command::Adapters(args) => adapters::run(&args),
         Command::Scenes(args) => scenes::run(&args),
         Command::Schema(args) => schema::run(&args),
