@@ -10,12 +10,24 @@
 //! | `record.rs` | the record: what `motes bench --json` writes, [`Record`] |
 //! | `spread.rs` | one quantity, measured many times: [`Spread`] |
 //! | `file.rs` | records as files, [`read_records`] and [`write_records`] |
+//! | `readable.rs` | how their JSON is laid out |
+//! | `table.rs` | a record as text for a terminal: [`table`] |
+//! | `csv.rs` | records as tidy CSV: [`csv`] |
+//! | `compare/` | records of two builds, held against each other: [`compare()`] |
+//! | `remarks.rs` | what a reader should know before believing the numbers |
+//! | `units.rs` | numbers as people read them |
 //!
 //! Who moves how many bytes stands where kernels are declared: [`crate::gpu::traffic`].
 
+mod compare;
+mod csv;
 mod file;
+mod readable;
 mod record;
+mod remarks;
 mod spread;
+mod table;
+mod units;
 
 mod budget;
 mod copy;
@@ -30,6 +42,11 @@ mod splats;
 mod target;
 
 pub use budget::Budget;
+pub use compare::{
+    Change, CompareError, Compared, Comparison, Kind, LEAST_MS, LEAST_SHARE, LEVEL, Verdict,
+    compare, comparisons_json,
+};
+pub use csv::csv;
 pub use error::BenchError;
 pub use file::{RecordError, parse_records, read_records, records_json, write_records};
 pub use micro::micro;
@@ -37,4 +54,5 @@ pub use record::{Measure, Part, Record, Run, SCHEMA};
 pub use run::{Job, Progress, Watch, run};
 pub use session::{Request, measure};
 pub use spread::{Clock, OUTLIER_RULE, Outliers, Spread, percentile};
+pub use table::{COLUMNS, heading, micro_table, run_table, table};
 pub use target::Target;

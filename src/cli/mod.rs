@@ -3,6 +3,7 @@
 mod adapters;
 mod bench;
 mod check;
+mod compare;
 mod completions;
 mod interrupt;
 mod man;
@@ -44,6 +45,8 @@ enum Command {
     Check(check::CheckArgs),
     /// Measure what each pass of a frame costs on an adapter
     Bench(bench::BenchArgs),
+    /// Tell whether it got slower, from records that bench made
+    Compare(compare::CompareArgs),
     /// List the adapters that scenes can run on, best first
     Adapters(adapters::AdaptersArgs),
     /// List the built-in scenes, or what can be changed in one
@@ -206,6 +209,7 @@ pub fn main() -> u8 {
         Command::Render(args) => render::run(args),
         Command::Check(args) => check::run(&args),
         Command::Bench(args) => bench::run(&args),
+        Command::Compare(args) => compare::run(&args),
         Command::Adapters(args) => adapters::run(&args),
         Command::Scenes(args) => scenes::run(&args),
         Command::Schema(args) => schema::run(&args),
