@@ -2,6 +2,10 @@
 //!
 //! | file | holds |
 //! |---|---|
+//! | `run.rs` | a scene at one count on several targets, [`run()`]; `lane.rs` is one of them |
+//! | `micro.rs` | kernels alone, [`micro()`]; `splats.rs` has what the splat is given |
+//! | `copy.rs` | the copy that all else is held against |
+//! | `budget.rs` | when to stop: [`Budget`] |
 //! | `record.rs` | the record: what `motes bench --json` writes, [`Record`] |
 //! | `spread.rs` | one quantity, measured many times: [`Spread`] |
 //! | `file.rs` | records as files, [`read_records`] and [`write_records`] |
@@ -11,6 +15,8 @@
 //! | `compare/` | records of two builds, held against each other: [`compare()`] |
 //! | `remarks.rs` | what a reader should know before believing the numbers |
 //! | `units.rs` | numbers as people read them |
+//!
+//! Who moves how many bytes stands where kernels are declared: [`crate::gpu::traffic`].
 
 mod compare;
 mod csv;
@@ -27,7 +33,23 @@ pub use compare::{
     compare, comparisons_json,
 };
 pub use csv::csv;
+mod budget;
+mod copy;
+mod error;
+mod lane;
+mod machine;
+mod micro;
+mod process;
+mod run;
+mod splats;
+mod target;
+
+pub use budget::Budget;
+pub use error::BenchError;
 pub use file::{RecordError, parse_records, read_records, records_json, write_records};
+pub use micro::micro;
 pub use record::{Measure, Part, Record, Run, SCHEMA};
+pub use run::{Job, Progress, Watch, run};
 pub use spread::{Clock, OUTLIER_RULE, Outliers, Spread, percentile};
 pub use table::{COLUMNS, heading, micro_table, run_table, table};
+pub use target::Target;

@@ -102,6 +102,10 @@ pub struct Run {
     /// Memory that the backend allocated on the device, bytes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gpu_memory_bytes: Option<u64>,
+    /// Rate of the fastest copy by a kernel of as many records, measured beside the frames; shares
+    /// of the passes are of this.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub copy_kernel_gb_per_s: Option<f64>,
     /// What each pass took, in the order of the frame.
     pub passes: Vec<Measure>,
     /// What a reader should know before believing the numbers.
@@ -175,15 +179,17 @@ impl Measure {
 }
 
 /// 10^9 bytes a second; `None` for no bytes or no time.
-fn gb_per_s(bytes: u64, ms: f64) -> Option<f64> {
+pub(super) fn gb_per_s(bytes: u64, ms: f64) -> Option<f64> {
     (bytes > 0 && ms > 0.0).then(|| bytes as f64 / (ms * 1e6))
 }
 
 impl Run {
     /// Milliseconds that the passes' bytes need at the rate of a copy: what a frame cannot be shorter than.
-    pub fn floor_ms(&self, copy_gb_per_s: Option<f64>) -> Option<f64> {
+    /// `None` where either is unknown.
+    pub fn floor_ms(&self, record: &Record) -> Option<f64> {
         let bytes: u64 = self.passes.iter().map(|pass| pass.bytes).sum();
-        let copy = copy_gb_per_s.filter(|copy| *copy > 0.0)?;
+        let copy = self.copy_kernel_gb_per_s.or(record.copy_kernel_gb_per_s);
+        let copy = copy.filter(|copy| *copy > 0.0)?;
         (bytes > 0).then(|| bytes as f64 / (copy * 1e6))
     }
 }

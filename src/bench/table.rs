@@ -113,7 +113,7 @@ pub fn run_table(record: &Record, run: &Run) -> String {
     if let Some(wall) = &run.wall_ms {
         text += &sum("frame by the machine's clock", wall, frame);
     }
-    if let Some(floor) = run.floor_ms(record.copy_kernel_gb_per_s) {
+    if let Some(floor) = run.floor_ms(record) {
         let times = match frame > 0.0 {
             true => format!("; the frame takes {} times that", digits(frame / floor)),
             false => String::new(),

@@ -1,0 +1,177 @@
+//! Kernels alone: the yardsticks that passes are held against, all in the same run, in turn.
+//!
+//! There is a place for the stable counting sort of cells in [`gpu`]: a kernel that binds
+//! `source`, `destination` and `table` is one line there.
+
+mod cpu;
+mod gpu;
+
+use super::budget::Budget;
+use super::copy::Copy;
+use super::error::BenchError;
+use super::lane::Lane;
+use super::record::{Measure, gb_per_s};
+use super::run::{Progress, Watch};
+use super::splats::{SHAPES, SIZE_PX};
+use super::spread::{Clock, Spread};
+use super::target::Target;
+use crate::backend::BackendError;
+use crate::plan::FrameInputs;
+
+/// The part of the time for a scene that one kernel may take.
+const PART_OF_TIME: f64 = 0.2;
+
+/// Runs a kernel once and tells its time.
+type Run = Box<dyn FnMut() -> Result<(f64, Clock), BackendError>>;
+
+/// A kernel under measurement.
+struct Entry {
+    name: String,
+    note: Option<String>,
+    /// Pixels covered, for those that draw.
+    covered_px: Option<f64>,
+    items: u64,
+    bytes: u64,
+    run: Run,
+    samples: Vec<f64>,
+    clock: Clock,
+}
+
+impl Entry {
+    fn new(name: impl Into<String>, items: u64, bytes: u64, run: Run) -> Self {
+        Self {
+            name: name.into(),
+            note: None,
+            covered_px: None,
+            items,
+            bytes,
+            run,
+            samples: Vec::new(),
+            clock: Clock::Wall,
+        }
+    }
+
+    fn noted(self, note: impl Into<String>) -> Self {
+        Self {
+            note: Some(note.into()),
+            ..self
+        }
+    }
+
+    fn is_done(&self, budget: &Budget) -> bool {
+        let secs = self.samples.iter().sum::<f64>() * 1e-3;
+        budget.is_enough(&self.samples, secs)
+    }
+}
+
+/// Measures kernels alone, over so many particles or records (1 ..= 10^9), on one target: the
+/// fastest copy, in all its forms; the interface's own copy; reads, writes, atomic additions; a
+/// sample of noise; the prefix sum; the splat of each shape; and what the device's own rasteriser
+/// needs for the same picture. The first is always `copy_kernel`, the second `copy_buffer`.
+///
+/// # Errors
+/// [`BenchError`]: the machine fails, or `watch` says stop.
+pub fn micro(
+    target: &Target,
+    particles: u32,
+    budget: &Budget,
+    watch: &mut Watch,
+) -> Result<Vec<Measure>, BenchError> {
+    let budget = Budget {
+        secs: budget.secs * PART_OF_TIME,
+        ..*budget
+    };
+    let copy = Copy::fastest(target, particles)?;
+    let mut entries = vec![copy_entry(copy)];
+    match target {
+        Target::Cpu => entries.extend(cpu::entries(particles)?),
+        Target::Gpu(device) => entries.extend(gpu::entries(device, particles)?),
+    }
+    for shape in SHAPES {
+        entries.push(splat(target, shape, (particles / shape.share).max(1))?);
+    }
+    if let Target::Gpu(device) = target {
+        entries.extend(gpu::rasters(device, particles)?);
+    }
+    // The first run of each compiles it, and gives its memory to what is written.
+    for entry in &mut entries {
+        (entry.run)()?;
+    }
+    for round in 0..budget.most() {
+        let progress = Progress {
+            what: "micro",
+            particles: Some(particles),
+            is_warm_up: false,
+            frames: round,
+        };
+        if !watch(&progress) {
+            return Err(BenchError::Stopped);
+        }
+        // In turn, so that what else the machine does falls on all alike.
+        for entry in &mut entries {
+            if !entry.is_done(&budget) {
+                let (ms, clock) = (entry.run)()?;
+                entry.samples.push(ms);
+                entry.clock = clock;
+            }
+        }
+        if entries.iter().all(|entry| entry.is_done(&budget)) {
+            break;
+        }
+    }
+    Ok(told(entries))
+}
+
+fn told(entries: Vec<Entry>) -> Vec<Measure> {
+    let copied = entries.first().map(|copy| {
+        let spread = Spread::new(copy.samples.clone(), copy.clock);
+        (copy.bytes, spread.median)
+    });
+    let copy_rate = copied.and_then(|(bytes, ms)| gb_per_s(bytes, ms));
+    let measure = |entry: Entry| {
+        let Entry {
+            name,
+            note,
+            covered_px,
+            items,
+            bytes,
+            samples,
+            clock,
+            ..
+        } = entry;
+        let measure = Measure::new(name, samples, clock, items, bytes, copy_rate);
+        let per_pixel = covered_px.map(|covered| {
+            let ns = measure.ms.median * 1e6 / covered;
+            format!("{ns:.2} ns a covered pixel")
+        });
+        let notes: Vec<String> = note.into_iter().chain(per_pixel).collect();
+        Measure {
+            note: (!notes.is_empty()).then(|| notes.join(", ")),
+            ..measure
+        }
+    };
+    entries.into_iter().map(measure).collect()
+}
+
+fn copy_entry(mut copy: Copy) -> Entry {
+    let (form, bytes, records) = (copy.form.clone(), copy.bytes(), copy.records().into());
+    Entry::new("copy_kernel", records, bytes, Box::new(move || copy.run())).noted(form)
+}
+
+fn splat(
+    target: &Target,
+    shape: &super::splats::Shape,
+    particles: u32,
+) -> Result<Entry, BenchError> {
+    let (mut lane, inputs): (Lane, FrameInputs) = shape.lane(target, particles)?;
+    let clock = lane.clock();
+    let covered = shape.covered_px() * f64::from(particles);
+    // A particle is read; light is read and written, at most all over the picture.
+    let pixels = f64::from(SIZE_PX[0] * SIZE_PX[1]).min(covered) as u64;
+    let bytes = u64::from(particles) * 32 + pixels * 24;
+    let run = Box::new(move || Ok((lane.splat_ms(&inputs)?, clock)));
+    Ok(Entry {
+        covered_px: Some(covered),
+        ..Entry::new(shape.name, particles.into(), bytes, run).noted(shape.about())
+    })
+}
