@@ -29,6 +29,12 @@ mod spread;
 mod table;
 mod units;
 
+pub use compare::{
+    Change, CompareError, Compared, Comparison, Kind, LEAST_MS, LEAST_SHARE, LEVEL, Verdict,
+    compare, comparisons_json,
+};
+pub use csv::csv;
+
 mod budget;
 mod copy;
 mod error;
@@ -42,11 +48,6 @@ mod splats;
 mod target;
 
 pub use budget::Budget;
-pub use compare::{
-    Change, CompareError, Compared, Comparison, Kind, LEAST_MS, LEAST_SHARE, LEVEL, Verdict,
-    compare, comparisons_json,
-};
-pub use csv::csv;
 pub use error::BenchError;
 pub use file::{RecordError, parse_records, read_records, records_json, write_records};
 pub use micro::micro;

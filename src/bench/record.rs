@@ -185,9 +185,11 @@ pub(super) fn gb_per_s(bytes: u64, ms: f64) -> Option<f64> {
 
 impl Run {
     /// Milliseconds that the passes' bytes need at the rate of a copy: what a frame cannot be shorter than.
-    pub fn floor_ms(&self, copy_gb_per_s: Option<f64>) -> Option<f64> {
+    /// `None` where either is unknown.
+    pub fn floor_ms(&self, record: &Record) -> Option<f64> {
         let bytes: u64 = self.passes.iter().map(|pass| pass.bytes).sum();
-        let copy = copy_gb_per_s.filter(|copy| *copy > 0.0)?;
+        let copy = self.copy_kernel_gb_per_s.or(record.copy_kernel_gb_per_s);
+        let copy = copy.filter(|copy| *copy > 0.0)?;
         (bytes > 0).then(|| bytes as f64 / (copy * 1e6))
     }
 }

@@ -57,7 +57,7 @@ pub fn heading(record: &Record) -> String {
     for line in lines {
         let parts: Vec<&str> = line.into_iter().filter(|part| !part.is_empty()).collect();
         if !parts.is_empty() {
-            text += &shortened(&parts.join(", "), COLUMNS);
+            text += shortened(&parts.join(", "), COLUMNS).trim_end();
             text.push('\n');
         }
     }
@@ -75,7 +75,7 @@ pub fn micro_table(record: &Record) -> String {
     for measure in &record.micro {
         text += &line(measure, "", None);
         if let Some(note) = &measure.note {
-            text += &format!("    {}\n", shortened(note, COLUMNS - 4));
+            text += &format!("    {}\n", shortened(note.trim(), COLUMNS - 4));
         }
     }
     text + &warnings(&remarks::of_micro(record))
@@ -113,16 +113,17 @@ pub fn run_table(record: &Record, run: &Run) -> String {
     if let Some(wall) = &run.wall_ms {
         text += &sum("frame by the machine's clock", wall, frame);
     }
-    if let Some(floor) = run.floor_ms(record.copy_kernel_gb_per_s) {
+    if let Some(floor) = run.floor_ms(record) {
         let times = match frame > 0.0 {
             true => format!("; the frame takes {} times that", digits(frame / floor)),
             false => String::new(),
         };
-        text += &format!(
-            "{:<NAME$} {:>8}  for the passes' bytes at the copy's rate{times}\n",
+        let line = format!(
+            "{:<NAME$} {:>8}  for all bytes at the copy's rate{times}",
             "floor",
             digits(floor)
         );
+        text += &(shortened(&line, COLUMNS) + "\n");
     }
     text += &facts(run);
     text + &warnings(&remarks::of_run(run))

@@ -1,0 +1,8 @@
+//! What becomes of records: tables, CSV, pages, comparisons. Nothing is measured here.
+
+mod compare;
+mod csv;
+mod program;
+mod schema;
+mod synthetic;
+mod table;

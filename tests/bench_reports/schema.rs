@@ -1,0 +1,1 @@
+//! The record's JSON Schema and the record agree.
