@@ -6,6 +6,7 @@ mod compare;
 mod completions;
 mod man;
 mod render;
+mod report;
 mod scenes;
 mod schema;
 
@@ -43,6 +44,8 @@ enum Command {
     Check(check::CheckArgs),
     /// Tell whether it got slower, from records that bench made
     Compare(compare::CompareArgs),
+    /// Show records that bench made: tables, a page with pictures, CSV
+    Report(report::ReportArgs),
     /// List the adapters that scenes can run on, best first
     Adapters(adapters::AdaptersArgs),
     /// List the built-in scenes, or what can be changed in one
@@ -205,6 +208,7 @@ pub fn main() -> u8 {
         Command::Render(args) => render::run(args),
         Command::Check(args) => check::run(&args),
         Command::Compare(args) => compare::run(&args),
+        Command::Report(args) => report::run(&args),
         Command::Adapters(args) => adapters::run(&args),
         Command::Scenes(args) => scenes::run(&args),
         Command::Schema(args) => schema::run(&args),
