@@ -13,6 +13,7 @@
 //! | `readable.rs` | how their JSON is laid out |
 //! | `table.rs` | a record as text for a terminal: [`table`] |
 //! | `csv.rs` | records as tidy CSV: [`csv`] |
+//! | `html/` | records as one page with pictures: [`html()`] |
 //! | `compare/` | records of two builds, held against each other: [`compare()`] |
 //! | `remarks.rs` | what a reader should know before believing the numbers |
 //! | `units.rs` | numbers as people read them |
@@ -22,6 +23,7 @@
 mod compare;
 mod csv;
 mod file;
+mod html;
 mod readable;
 mod record;
 mod remarks;
@@ -50,6 +52,7 @@ mod target;
 pub use budget::Budget;
 pub use error::BenchError;
 pub use file::{RecordError, parse_records, read_records, records_json, write_records};
+pub use html::html;
 pub use micro::micro;
 pub use record::{Measure, Part, Record, Run, SCHEMA};
 pub use run::{Job, Progress, Watch, run};

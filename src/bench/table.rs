@@ -119,7 +119,7 @@ pub fn run_table(record: &Record, run: &Run) -> String {
             false => String::new(),
         };
         let line = format!(
-            "{:<NAME$} {:>8}  for all bytes at the copy's rate{times}",
+            "{:<NAME$} {:>8}  to copy as many bytes{times}",
             "floor",
             digits(floor)
         );

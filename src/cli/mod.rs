@@ -8,6 +8,7 @@ mod completions;
 mod interrupt;
 mod man;
 mod render;
+mod report;
 mod scenes;
 mod schema;
 
@@ -47,6 +48,8 @@ enum Command {
     Bench(bench::BenchArgs),
     /// Tell whether it got slower, from records that bench made
     Compare(compare::CompareArgs),
+    /// Show records that bench made: tables, a page with pictures, CSV
+    Report(report::ReportArgs),
     /// List the adapters that scenes can run on, best first
     Adapters(adapters::AdaptersArgs),
     /// List the built-in scenes, or what can be changed in one
@@ -210,6 +213,7 @@ pub fn main() -> u8 {
         Command::Check(args) => check::run(&args),
         Command::Bench(args) => bench::run(&args),
         Command::Compare(args) => compare::run(&args),
+        Command::Report(args) => report::run(&args),
         Command::Adapters(args) => adapters::run(&args),
         Command::Scenes(args) => scenes::run(&args),
         Command::Schema(args) => schema::run(&args),

@@ -120,10 +120,10 @@ fn equal_builds_are_seldom_told_apart() {
         ..LLVMPIPE
     };
     for records_a_side in [3, 5] {
-        let alarms = false_alarms(drifting, records_a_side, 200);
+        let alarms = false_alarms(drifting, records_a_side, 100);
         assert!(
-            alarms <= 6,
-            "{alarms} of 200 with {records_a_side} records a side"
+            alarms <= 4,
+            "{alarms} of 100 with {records_a_side} records a side"
         );
     }
     let deceived = false_alarms(drifting, 1, 50);

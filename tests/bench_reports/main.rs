@@ -2,6 +2,7 @@
 
 mod compare;
 mod csv;
+mod html;
 mod program;
 mod schema;
 mod synthetic;

@@ -66,6 +66,6 @@ fn numbers_follow_from_the_record() {
         assert!(line.contains(&words), "{words} is not in\n{line}");
     }
     let bytes: f64 = 1e6 * (0.55 + 1.1 + 0.13 + 64.0 + 40.0);
-    let floor = format!("{:.1}  for all bytes", bytes / 8.72e6);
+    let floor = format!("{:.1}  to copy", bytes / 8.72e6);
     assert!(text.contains(&floor), "{floor} is not in\n{text}");
 }
