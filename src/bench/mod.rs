@@ -2,6 +2,7 @@
 //!
 //! | file | holds |
 //! |---|---|
+//! | `session.rs` | all that one call measures, [`measure`] |
 //! | `run.rs` | a scene at one count on several targets, [`run()`]; `lane.rs` is one of them |
 //! | `micro.rs` | kernels alone, [`micro()`]; `splats.rs` has what the splat is given |
 //! | `copy.rs` | the copy that all else is held against |
@@ -35,6 +36,7 @@ pub use compare::{
     compare, comparisons_json,
 };
 pub use csv::csv;
+
 mod budget;
 mod copy;
 mod error;
@@ -43,6 +45,7 @@ mod machine;
 mod micro;
 mod process;
 mod run;
+mod session;
 mod splats;
 mod target;
 
@@ -53,6 +56,7 @@ pub use html::html;
 pub use micro::micro;
 pub use record::{Measure, Part, Record, Run, SCHEMA};
 pub use run::{Job, Progress, Watch, run};
+pub use session::{Request, measure};
 pub use spread::{Clock, OUTLIER_RULE, Outliers, Spread, percentile};
 pub use table::{COLUMNS, heading, micro_table, run_table, table};
 pub use target::Target;

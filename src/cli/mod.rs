@@ -1,9 +1,11 @@
 //! The command line: parsed low, checked high, one file a subcommand.
 
 mod adapters;
+mod bench;
 mod check;
 mod compare;
 mod completions;
+mod interrupt;
 mod man;
 mod render;
 mod report;
@@ -42,6 +44,8 @@ enum Command {
     Render(render::RenderArgs),
     /// Compare an adapter with the processor, bit for bit
     Check(check::CheckArgs),
+    /// Measure what each pass of a frame costs on an adapter
+    Bench(bench::BenchArgs),
     /// Tell whether it got slower, from records that bench made
     Compare(compare::CompareArgs),
     /// Show records that bench made: tables, a page with pictures, CSV
@@ -207,6 +211,7 @@ pub fn main() -> u8 {
     let result = match cli.command {
         Command::Render(args) => render::run(args),
         Command::Check(args) => check::run(&args),
+        Command::Bench(args) => bench::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Report(args) => report::run(&args),
         Command::Adapters(args) => adapters::run(&args),

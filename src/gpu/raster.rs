@@ -89,10 +89,24 @@ impl Raster {
         let values = [width as f32, height as f32, radius, 0.0];
         gpu.queue
             .write_buffer(&parameters, 0, bytemuck::cast_slice(&values));
-        let pipeline = pipeline(device, shape, format);
+        // Points use nothing of it; the layout is the same for both.
+        let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some("raster"),
+            entries: &[wgpu::BindGroupLayoutEntry {
+                binding: 0,
+                visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
+                ty: wgpu::BindingType::Buffer {
+                    ty: wgpu::BufferBindingType::Uniform,
+                    has_dynamic_offset: false,
+                    min_binding_size: None,
+                },
+                count: None,
+            }],
+        });
+        let pipeline = pipeline(device, &layout, shape, format);
         let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("raster"),
-            layout: &pipeline.get_bind_group_layout(0),
+            layout: &layout,
             entries: &[wgpu::BindGroupEntry {
                 binding: 0,
                 resource: parameters.as_entire_binding(),
@@ -158,6 +172,7 @@ impl Raster {
 
 fn pipeline(
     device: &wgpu::Device,
+    group: &wgpu::BindGroupLayout,
     shape: RasterShape,
     format: wgpu::TextureFormat,
 ) -> wgpu::RenderPipeline {
@@ -183,9 +198,14 @@ fn pipeline(
         dst_factor: wgpu::BlendFactor::One,
         operation: wgpu::BlendOperation::Add,
     };
+    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: Some(source.name),
+        bind_group_layouts: &[Some(group)],
+        immediate_size: 0,
+    });
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some(source.name),
-        layout: None,
+        layout: Some(&layout),
         vertex: wgpu::VertexState {
             module: &module,
             entry_point: Some(vertex),

@@ -37,10 +37,18 @@ fn place(at: u32) -> Vec3 {
     Vec3::new(of(0), of(11), of(22))
 }
 
+/// A copy by one thread.
+pub(super) fn copy_buffer(records: u32) -> Result<Entry, BackendError> {
+    let mut whole = CpuCopy::new(records, usize::MAX)?;
+    let copied = move || {
+        whole.run();
+    };
+    Ok(entry("copy_buffer", records, 64, copied).noted("one thread"))
+}
+
 /// All of them.
 pub(super) fn entries(records: u32) -> Result<Vec<Entry>, BackendError> {
     let zeroed = |what| crate::backend::try_zeroed::<[u32; 8]>(records as usize, what);
-    let mut whole = CpuCopy::new(records, usize::MAX)?;
     let mut source = zeroed("records to read")?;
     for (record, at) in source.iter_mut().zip(0u32..) {
         *record = [mixed(at) | 1; 8];
@@ -48,11 +56,8 @@ pub(super) fn entries(records: u32) -> Result<Vec<Entry>, BackendError> {
     let mut written = zeroed("records to write")?;
     let table = || -> Vec<AtomicU32> { (0..TABLE_WORDS).map(|_| AtomicU32::new(0)).collect() };
     let (spread, contended) = (table(), AtomicU32::new(0));
-    let copied = move || {
-        whole.run();
-    };
     Ok(vec![
-        entry("copy_buffer", records, 64, copied).noted("one thread"),
+        copy_buffer(records)?,
         entry("read_only", records, 32, move || {
             let sum = |chunk: &[[u32; 8]]| {
                 let words = chunk.iter().flatten();
