@@ -11,6 +11,7 @@
 //! | `spread.rs` | one quantity, measured many times: [`Spread`] |
 //! | `file.rs` | records as files, [`read_records`] and [`write_records`] |
 //! | `readable.rs` | how their JSON is laid out |
+//! | `schema.json` | their JSON Schema, [`record_schema()`] |
 //! | `table.rs` | a record as text for a terminal: [`table`] |
 //! | `csv.rs` | records as tidy CSV: [`csv`] |
 //! | `html/` | records as one page with pictures: [`html()`] |
@@ -60,3 +61,8 @@ pub use session::{Request, measure};
 pub use spread::{Clock, OUTLIER_RULE, Outliers, Spread, percentile};
 pub use table::{COLUMNS, heading, micro_table, run_table, table};
 pub use target::Target;
+
+/// JSON Schema of the file that `motes bench --json` writes: a [`Record`], or several in an array.
+pub fn record_schema() -> &'static str {
+    include_str!("schema.json")
+}

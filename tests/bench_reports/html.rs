@@ -135,7 +135,7 @@ fn a_page_is_whole_and_by_itself() {
         }
     }
     assert!(page.contains("Example 3000 &lt;dual&gt; &amp; &quot;fast&quot;"));
-    assert!(page.contains("SwiftShader Device: share of a frame"));
+    assert!(page.contains("SwiftShader: share of a frame"));
 }
 
 fn three_digits(ms: f64) -> String {

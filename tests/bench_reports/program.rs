@@ -175,3 +175,40 @@ fn impossible_numbers_are_refused() {
     refused(&|it| it.schema = 2, "schema 2");
     refused(&|it| it.runs[0].step_ms.median = f64::NAN, "null");
 }
+
+#[test]
+fn the_schema_is_printed() {
+    let folder = folder();
+    let out = motes(folder.path(), &["schema", "bench"]);
+    assert_eq!(out.status.code(), Some(0));
+    assert_eq!(out.stdout, motes::bench::record_schema().as_bytes());
+    assert_eq!(
+        motes(folder.path(), &["schema", "bench", "--markdown"])
+            .status
+            .code(),
+        Some(2)
+    );
+}
+
+#[test]
+fn records_are_shown_again() {
+    let folder = folder();
+    let out = motes(folder.path(), &["report", "old.json", "cpu.json"]);
+    let text = String::from_utf8(out.stdout).expect("it is text");
+    assert!(
+        text.contains("llvmpipe, Mesa") && text.contains("\ncpu, motes"),
+        "{text}"
+    );
+    let arguments = [
+        "report", "old.json", "cpu.json", "--html", "all.html", "--csv", "all.csv",
+    ];
+    let out = motes(folder.path(), &arguments);
+    assert_eq!(
+        (out.status.code(), out.stdout.as_slice()),
+        (Some(0), &b""[..])
+    );
+    let read =
+        |name: &str| std::fs::read_to_string(folder.path().join(name)).expect("it was written");
+    assert!(read("all.html").contains("<h1>Motes on llvmpipe, cpu</h1>"));
+    assert_eq!(read("all.csv").lines().count(), 1 + 2 * (4 + 7 + 4));
+}

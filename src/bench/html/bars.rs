@@ -1,6 +1,7 @@
 //! Horizontal bars: kernels alone, and scenes measured at one count.
 
-use super::super::record::{Measure, Record};
+use super::super::record::Measure;
+use super::super::spread::Spread;
 use super::super::units::{digits, grouped, percent, prefixed, shortened};
 use super::Labelled;
 use super::svg::{Scale, color, escaped, figure, picture, tick};
@@ -20,8 +21,16 @@ struct Bar {
     label: String,
     /// When pointed at.
     words: String,
+    /// Where the samples lie, as values: most of them between these.
+    range: [f64; 2],
     /// A mark across the bar.
     mark: Option<f64>,
+}
+
+/// How a value changes with the time it was made from.
+enum Goes {
+    WithTime,
+    AgainstTime,
 }
 
 /// A name and a bar for each record that has it.
@@ -32,17 +41,22 @@ struct Row {
 
 /// What kernels alone reach: of the copy where they move bytes, in items where they do not.
 pub(super) fn micro(records: &[Labelled]) -> String {
-    let moving = rows(records, &|_, measure| {
+    let moving = rows(records, &|measure| {
         let share = measure.share_of_copy?;
         let rate = measure.gb_per_s.map_or(String::new(), digits);
-        Some((share, format!("{rate} GB/s, {}", percent(share))))
+        Some((
+            share,
+            Goes::AgainstTime,
+            format!("{rate} GB/s, {}", percent(share)),
+        ))
     });
-    let working = rows(records, &|_, measure| {
+    let working = rows(records, &|measure| {
         let rate = measure
             .items_per_s()
             .filter(|_| measure.share_of_copy.is_none())?;
         Some((
             1e9 / rate,
+            Goes::WithTime,
             format!("{} ns an item, {}/s", digits(1e9 / rate), prefixed(rate)),
         ))
     });
@@ -56,7 +70,7 @@ pub(super) fn micro(records: &[Labelled]) -> String {
     );
     html += &chart(
         "Kernels alone, time an item",
-        "Kernels that are about computing: nanoseconds for each of their items, all lanes together.",
+        "Kernels that are about computing: nanoseconds for each of their items, all lanes together. Thin lines go from p10 to p90.",
         &working,
         None,
         &|ns| format!("{} ns", tick(ns)),
@@ -72,7 +86,7 @@ pub(super) fn scenes(records: &[Labelled], in_curves: &[&str]) -> String {
             if in_curves.contains(&run.scene.as_str()) {
                 continue;
             }
-            let name = format!("{} at {}", run.scene, prefixed(run.particles as f64));
+            let name = format!("{} at {}", run.scene, tick(run.particles as f64));
             let ms = &run.frame_ms;
             let words = format!(
                 "{}, {} at {} particles: {} ms a frame ({} .. {})",
@@ -88,6 +102,7 @@ pub(super) fn scenes(records: &[Labelled], in_curves: &[&str]) -> String {
                 value: ms.median,
                 label: digits(ms.median) + " ms",
                 words,
+                range: [ms.p10, ms.p90],
                 mark: run.floor_ms(labelled.record),
             };
             push(&mut rows, name, bar);
@@ -95,7 +110,7 @@ pub(super) fn scenes(records: &[Labelled], in_curves: &[&str]) -> String {
     }
     chart(
         "Scenes at one count, time a frame",
-        "Median of step and drawing. The mark across a bar is its floor: the bytes that the passes must move, at the rate \
+        "Median of step and drawing; a thin line goes from p10 to p90. The mark across a bar is its floor: the bytes that the passes must move, at the rate \
          of the adapter's own copy.",
         &rows,
         None,
@@ -103,12 +118,20 @@ pub(super) fn scenes(records: &[Labelled], in_curves: &[&str]) -> String {
     )
 }
 
-fn rows(records: &[Labelled], of: &dyn Fn(&Record, &Measure) -> Option<(f64, String)>) -> Vec<Row> {
+/// A row a kernel, of what `of` makes of it: a value that goes with the time, or against it.
+fn rows(records: &[Labelled], of: &dyn Fn(&Measure) -> Option<(f64, Goes, String)>) -> Vec<Row> {
     let mut rows = Vec::new();
     for (at, Labelled { label, record }) in records.iter().enumerate() {
         for measure in &record.micro {
-            let Some((value, text)) = of(record, measure) else {
+            let Some((value, goes, text)) = of(measure) else {
                 continue;
+            };
+            let Spread {
+                median, p10, p90, ..
+            } = measure.ms;
+            let range = match goes {
+                Goes::WithTime => [p10, p90].map(|ms| value * ms / median),
+                Goes::AgainstTime => [p90, p10].map(|ms| value * median / ms.max(1e-9)),
             };
             let note = measure
                 .note
@@ -127,6 +150,7 @@ fn rows(records: &[Labelled], of: &dyn Fn(&Record, &Measure) -> Option<(f64, Str
                 value,
                 label: text,
                 words,
+                range,
                 mark: None,
             };
             push(&mut rows, measure.name.clone(), bar);
@@ -196,6 +220,12 @@ fn chart(
 }
 
 fn drawn(bar: &Bar, y: f64, x: &Scale) -> String {
+    let middle = y + BAR / 2.0;
+    let [low, high] = bar.range.map(|value| x.at(value).min(RIGHT + 4.0));
+    let range = format!(
+        "<line x1=\"{low:.1}\" x2=\"{high:.1}\" y1=\"{middle:.1}\" y2=\"{middle:.1}\" stroke=\"var(--ink)\" \
+         stroke-width=\"1.5\" opacity=\"0.65\"/>"
+    );
     let width = (x.at(bar.value) - LEFT).max(1.0);
     let mark = bar.mark.map_or(String::new(), |value| {
         let px = x.at(value);
@@ -204,11 +234,11 @@ fn drawn(bar: &Bar, y: f64, x: &Scale) -> String {
     });
     format!(
         "<rect x=\"{LEFT}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{BAR}\" rx=\"2\" fill=\"{}\"><title>{}</title></rect>\
-         {mark}<text x=\"{:.1}\" y=\"{:.1}\">{}</text>",
+         {range}{mark}<text x=\"{:.1}\" y=\"{:.1}\">{}</text>",
         color(bar.at),
         escaped(&bar.words),
-        LEFT + width + 8.0,
-        y + BAR / 2.0 + 4.5,
+        (LEFT + width).max(high) + 8.0,
+        middle + 4.5,
         escaped(&bar.label)
     )
 }

@@ -69,6 +69,7 @@ fn section(title: &str, inside: &str) -> String {
 fn labelled(records: &[Record]) -> Vec<Labelled<'_>> {
     let short = |record: &Record| {
         let name = record.adapter.split('(').next().unwrap_or_default().trim();
+        let name = name.strip_suffix(" Device").unwrap_or(name);
         if name.is_empty() {
             "unnamed".to_owned()
         } else {

@@ -1,9 +1,9 @@
 //! Which pass has how much of a frame, a bar a count.
 
 use super::super::record::{Measure, Run};
-use super::super::units::{digits, percent, prefixed};
+use super::super::units::{digits, percent};
 use super::Labelled;
-use super::svg::{color, escaped, figure, picture};
+use super::svg::{escaped, figure, pass_color, picture, tick};
 
 const WIDTH: f64 = 1120.0;
 const LEFT: f64 = 150.0;
@@ -39,7 +39,7 @@ impl<'a> Colors<'a> {
 
     fn of(&self, pass: &str) -> String {
         let at = self.0.iter().position(|name| *name == pass);
-        at.map_or("var(--rest)".to_owned(), color)
+        at.map_or("var(--rest)".to_owned(), pass_color)
     }
 }
 
@@ -85,7 +85,7 @@ pub(super) fn chart(labelled: &Labelled, colors: &Colors) -> String {
     }
     let mut legend = String::new();
     for (at, name) in colors.0.iter().enumerate() {
-        legend += &item(&color(at), name);
+        legend += &item(&pass_color(at), name);
     }
     legend += &item("var(--rest)", "the rest");
     let title = format!("{}: share of a frame", labelled.label);
@@ -104,7 +104,7 @@ fn item(color: &str, name: &str) -> String {
 
 fn bar(run: &Run, y: f64, colors: &Colors) -> String {
     let middle = y + BAR / 2.0 + 4.5;
-    let count = prefixed(run.particles as f64);
+    let count = tick(run.particles as f64);
     let mut svg = format!(
         "<text class=\"name\" x=\"{:.1}\" y=\"{middle:.1}\" text-anchor=\"end\">{count}</text>",
         LEFT - 12.0

@@ -23,6 +23,11 @@ pub(super) fn color(at: usize) -> String {
     format!("var(--c{})", at % 10)
 }
 
+/// The same of passes, which are not to be taken for adapters.
+pub(super) fn pass_color(at: usize) -> String {
+    format!("var(--p{})", at % 10)
+}
+
 /// From values to pixels.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scale {

@@ -6,7 +6,7 @@ use super::super::spread::Spread;
 use super::super::table::title;
 use super::super::units::{binary_bytes, digits, grouped, percent, prefixed};
 use super::Labelled;
-use super::svg::{color, escaped};
+use super::svg::{color, escaped, tick};
 
 /// What a record is of, and its best rate.
 pub(super) fn card(at: usize, labelled: &Labelled) -> String {
@@ -50,10 +50,10 @@ pub(super) fn card(at: usize, labelled: &Labelled) -> String {
     );
     if let Some((rate, run)) = best(record) {
         html += &format!(
-            "<div class=\"big\">{} <small>particles/s in {} at {}</small></div>",
+            "<div class=\"big\">{} <small>particles a second in {} at {}</small></div>",
             prefixed(rate),
             escaped(&run.scene),
-            prefixed(run.particles as f64)
+            tick(run.particles as f64)
         );
     }
     html += "<dl>";
