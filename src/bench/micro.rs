@@ -21,6 +21,9 @@ use crate::plan::FrameInputs;
 /// The part of the time for a scene that one kernel may take.
 const PART_OF_TIME: f64 = 0.2;
 
+/// Beside scenes the copies are measured again: there is no need for more.
+const MOST_SECS_FOR_COPIES: f64 = 1.0;
+
 /// Runs a kernel once and tells its time.
 type Run = Box<dyn FnMut() -> Result<(f64, Clock), BackendError>>;
 
@@ -100,14 +103,19 @@ pub fn micro(
         entries.extend(gpu::rasters(device, particles)?);
     }
     take(&mut entries, &budget, &mut |round| {
-        watch(&Progress {
-            what: "micro",
-            particles: Some(particles),
-            is_warm_up: false,
-            frames: round,
-        })
+        watch(&rounds(particles, round))
     })?;
     Ok(told(entries))
+}
+
+/// So many rounds of kernels have been run.
+fn rounds(particles: u32, round: u32) -> Progress<'static> {
+    Progress {
+        what: "micro",
+        particles: Some(particles),
+        is_warm_up: false,
+        frames: round,
+    }
 }
 
 /// Measures the two copies alone.
@@ -115,9 +123,10 @@ pub(super) fn copies(
     target: &Target,
     records: u32,
     budget: &Budget,
+    watch: &mut Watch,
 ) -> Result<Vec<Measure>, BenchError> {
     let budget = Budget {
-        secs: budget.secs * PART_OF_TIME,
+        secs: (budget.secs * PART_OF_TIME).min(MOST_SECS_FOR_COPIES),
         ..*budget
     };
     let mut entries = vec![copy_entry(Copy::fastest(target, records)?)];
@@ -125,7 +134,9 @@ pub(super) fn copies(
         Target::Cpu => cpu::copy_buffer(records)?,
         Target::Gpu(device) => gpu::copy_buffer(device, records)?,
     });
-    take(&mut entries, &budget, &mut |_| true)?;
+    take(&mut entries, &budget, &mut |round| {
+        watch(&rounds(records, round))
+    })?;
     Ok(told(entries))
 }
 

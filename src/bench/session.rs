@@ -70,7 +70,7 @@ pub fn measure(
         record.micro = if request.micro {
             alone(target, request, watch)?
         } else {
-            copies(target, MICRO_RECORDS, budget)?
+            copies(target, MICRO_RECORDS, budget, watch)?
         };
         let rate = |name: &str| {
             let mut measures = record.micro.iter();
