@@ -118,7 +118,7 @@ pub(super) fn run(args: &BenchArgs) -> Result<u8, CliError> {
         write_whole(path, bench::csv(&records).as_bytes())?;
     }
     if let Some(path) = &args.html {
-        // write_whole(path, bench::html(&records).as_bytes())?;
+        write_whole(path, bench::html(&records).as_bytes())?;
     }
     print(&texts.join("\n"))?;
     Ok(0)
