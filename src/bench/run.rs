@@ -413,12 +413,6 @@ fn warnings(run: &Run, counts: &[u32], asked: Option<u32>) -> Vec<String> {
         let dropped = run.dropped;
         warnings.push(format!("{dropped} births were dropped for want of room"));
     }
-    let (apart, all) = (run.frame_ms.outliers.count, run.frames as usize);
-    if apart * 10 > all {
-        warnings.push(format!(
-            "{apart} of {all} frames are outliers: something else ran on the machine"
-        ));
-    }
     if run.frame_ms.clock == Clock::Wall && run.gpu_memory_bytes.is_some() {
         warnings.push("the adapter has no clock: every kernel was waited for".into());
     }

@@ -2,6 +2,7 @@
 
 use super::device::GpuDevice;
 use super::memory::check_available;
+use super::readback;
 use crate::backend::BackendError;
 use crate::layout::{Counts, Frame, FrameStats, Particle};
 
@@ -60,6 +61,33 @@ impl YardstickMemory {
         self.records
     }
 
+    /// Words of what is read, all pages after each other.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn read_source(&self) -> Result<Vec<u32>, BackendError> {
+        self.read(|page| &page.source)
+    }
+
+    /// Words of what is written.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn read_destination(&self) -> Result<Vec<u32>, BackendError> {
+        self.read(|page| &page.destination)
+    }
+
+    fn read(&self, of: impl Fn(&Page) -> &wgpu::Buffer) -> Result<Vec<u32>, BackendError> {
+        self.gpu.watched(|| {
+            let mut all = Vec::new();
+            for page in &self.pages {
+                let bytes = u64::from(page.records) * size_of::<Particle>() as u64;
+                all.extend(readback::words(&self.gpu, of(page), bytes)?);
+            }
+            Ok(all)
+        })
+    }
+
     pub(super) fn named<'a>(
         &'a self,
         name: &str,
@@ -109,7 +137,7 @@ fn page(gpu: &GpuDevice, start: u32, records: u32) -> Result<Page, BackendError>
     let (source, destination) = (of("source"), of("destination"));
     fill(gpu, &source, u64::from(start) * 8)?;
     // What is written for the first time is given its memory then.
-    fill(gpu, &destination, 0)?;
+    fill(gpu, &destination, 5)?;
     gpu.wait()?;
     Ok(Page {
         records,
