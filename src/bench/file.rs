@@ -4,11 +4,13 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
+use serde_json::Value;
 
 use super::readable::Readable;
 use super::record::{Measure, Record, Run, SCHEMA};
 use super::spread::Spread;
+use super::units::shortened;
 use crate::output::{OutputError, write_whole};
 
 /// A file that holds no records.
@@ -32,6 +34,12 @@ impl fmt::Display for RecordError {
 }
 
 impl std::error::Error for RecordError {}
+
+/// Characters of a problem, at most.
+const MOST_LETTERS: usize = 400;
+
+/// No measurement takes longer, ms: thirty years.
+const MOST_MS: f64 = 1e12;
 
 const HELP: &str = "give a file that `motes bench --json FILE` wrote";
 
@@ -58,50 +66,36 @@ pub fn read_records(path: &Path) -> Result<Vec<Record>, RecordError> {
     })
 }
 
-/// One record or several.
-#[derive(Deserialize)]
-#[serde(untagged)]
-enum Heads {
-    Many(Vec<Head>),
-    One(Head),
-}
-
-/// As much as is the same in every version.
-#[derive(Deserialize)]
-struct Head {
-    schema: Option<serde_json::Value>,
-}
-
 /// The records in this JSON; else the problem, and what would be right.
 ///
 /// # Errors
 /// See [`read_records`].
 pub fn parse_records(json: &[u8]) -> Result<Vec<Record>, (String, String)> {
-    let no_record = |problem: String| (problem, HELP.to_owned());
+    // A strange file has strange names; they are not to reach a terminal as they are.
+    let no_record = |problem: String| (printable(&problem), HELP.to_owned());
     if json.trim_ascii().is_empty() {
         return Err(no_record("the file is empty".to_owned()));
     }
     // First the syntax, then the version, then the keys: each fault is called by its name.
-    if let Err(error) = serde_json::from_slice::<serde::de::IgnoredAny>(json) {
-        return Err(no_record(format!("this is not JSON: {error}")));
-    }
-    let (heads, is_array) = match serde_json::from_slice(json) {
-        Ok(Heads::Many(heads)) => (heads, true),
-        Ok(Heads::One(head)) => (vec![head], false),
-        Err(_) => {
-            return Err(no_record(
-                "this JSON is no record of `motes bench`".to_owned(),
-            ));
-        }
+    let value: Value = serde_json::from_slice(json)
+        .map_err(|error| no_record(format!("this is not JSON: {error}")))?;
+    let is_array = value.is_array();
+    let objects = match &value {
+        Value::Array(items) => items.as_slice(),
+        one => std::slice::from_ref(one),
     };
-    for head in &heads {
-        match &head.schema {
+    for object in objects {
+        let Value::Object(keys) = object else {
+            let problem = "this JSON is no record of `motes bench`";
+            return Err(no_record(problem.to_owned()));
+        };
+        match keys.get("schema") {
             Some(schema) if *schema == SCHEMA => {}
             Some(schema) => {
                 return Err((
-                    format!(
+                    printable(&format!(
                         "a record with schema {schema}, and this program reads schema {SCHEMA}"
-                    ),
+                    )),
                     "read it with the Motes that wrote it, or measure again".to_owned(),
                 ));
             }
@@ -127,8 +121,17 @@ pub fn parse_records(json: &[u8]) -> Result<Vec<Record>, (String, String)> {
     Ok(records)
 }
 
-/// Refuses numbers that no measurement gives, and names that stand for two things.
+/// Without control characters, and not too long.
+fn printable(text: &str) -> String {
+    let letters = text
+        .chars()
+        .map(|it| if it.is_control() { ' ' } else { it });
+    shortened(&letters.collect::<String>(), MOST_LETTERS)
+}
+
+/// Refuses numbers that no measurement gives, names that stand for two things, and text that is none.
 fn check(record: &Record) -> Result<(), String> {
+    check_texts(record)?;
     check_measures("micro", &record.micro)?;
     for (at, run) in record.runs.iter().enumerate() {
         let place = format!("{} at {} particles", run.scene, run.particles);
@@ -148,6 +151,41 @@ fn check(record: &Record) -> Result<(), String> {
     Ok(())
 }
 
+fn check_texts(record: &Record) -> Result<(), String> {
+    let Record {
+        motes,
+        adapter,
+        driver,
+        backend,
+        os,
+        cpu,
+        ..
+    } = record;
+    let optional = [&record.commit, &record.driver_version];
+    let measures = record.runs.iter().flat_map(|run| &run.passes);
+    let measures = measures.chain(&record.micro);
+    let mut texts: Vec<&str> = vec![motes, adapter, driver, backend, os, cpu];
+    texts.extend(optional.into_iter().flatten().map(String::as_str));
+    texts.extend(
+        measures
+            .flat_map(|it| [Some(it.name.as_str()), it.note.as_deref()])
+            .flatten(),
+    );
+    texts.extend(
+        record
+            .options
+            .iter()
+            .flat_map(|(key, value)| [key.as_str(), value]),
+    );
+    texts.extend(record.runs.iter().map(|run| run.scene.as_str()));
+    let warnings = record.runs.iter().flat_map(|run| &run.warnings);
+    texts.extend(warnings.chain(&record.warnings).map(String::as_str));
+    match texts.iter().find(|text| text.contains(char::is_control)) {
+        Some(text) => Err(format!("control characters in the text `{text}`")),
+        None => Ok(()),
+    }
+}
+
 fn check_measures(place: &str, measures: &[Measure]) -> Result<(), String> {
     for (at, Measure { name, ms, .. }) in measures.iter().enumerate() {
         if measures[..at].iter().any(|other| other.name == *name) {
@@ -162,6 +200,9 @@ fn check_spread(ms: &Spread) -> Result<(), String> {
     let told = [ms.p10, ms.median, ms.p90];
     if let Some(wrong) = told.iter().chain(&ms.samples).find(|it| **it < 0.0) {
         return Err(format!("took {wrong} ms, and no time is negative"));
+    }
+    if let Some(wrong) = told.iter().chain(&ms.samples).find(|it| **it > MOST_MS) {
+        return Err(format!("took {wrong:e} ms, which nobody has waited for"));
     }
     match told.is_sorted() {
         true => Ok(()),

@@ -7,6 +7,7 @@ mod commands;
 mod outputs;
 mod pipes;
 mod recordings;
+mod records;
 mod row;
 mod scenes;
 mod values;

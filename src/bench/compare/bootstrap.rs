@@ -122,7 +122,7 @@ fn median_at(values: &[f64], places: &[usize]) -> f64 {
 
 fn median_of(values: &mut [f64]) -> f64 {
     let middle = values.len() / 2;
-    let is_even = values.len() % 2 == 0;
+    let is_even = values.len().is_multiple_of(2);
     let (below, &mut above, _) = values.select_nth_unstable_by(middle, f64::total_cmp);
     match is_even {
         true => 0.5 * (above + below.iter().copied().fold(f64::MIN, f64::max)),

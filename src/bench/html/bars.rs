@@ -118,8 +118,11 @@ pub(super) fn scenes(records: &[Labelled], in_curves: &[&str]) -> String {
     )
 }
 
+/// A value, how it goes, and what is written beside it.
+type Told = (f64, Goes, String);
+
 /// A row a kernel, of what `of` makes of it: a value that goes with the time, or against it.
-fn rows(records: &[Labelled], of: &dyn Fn(&Measure) -> Option<(f64, Goes, String)>) -> Vec<Row> {
+fn rows(records: &[Labelled], of: &dyn Fn(&Measure) -> Option<Told>) -> Vec<Row> {
     let mut rows = Vec::new();
     for (at, Labelled { label, record }) in records.iter().enumerate() {
         for measure in &record.micro {

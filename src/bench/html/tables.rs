@@ -174,9 +174,10 @@ fn row(measure: &Measure, frame_ms: Option<f64>) -> String {
 }
 
 fn sum(name: &str, ms: &Spread, frame_ms: f64) -> String {
-    let share = (frame_ms > 0.0)
-        .then(|| percent(ms.median / frame_ms))
-        .unwrap_or_default();
+    let share = match frame_ms > 0.0 {
+        true => percent(ms.median / frame_ms),
+        false => String::new(),
+    };
     let times = times(ms);
     format!(
         "<tr class=\"sum\"><td>{name}</td>{times}<td></td><td></td><td></td><td>{share}</td><td></td></tr>\n"
