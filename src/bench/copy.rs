@@ -46,11 +46,8 @@ pub(super) struct Copy {
 }
 
 enum Work {
-    Gpu {
-        yardstick: Yardstick,
-        // The buffers that it binds.
-        _memory: YardstickMemory,
-    },
+    /// With the buffers that it binds.
+    Gpu(Box<(Yardstick, YardstickMemory)>),
     Cpu(CpuCopy),
 }
 
@@ -81,10 +78,7 @@ impl Copy {
                 Ok(Self {
                     form,
                     records,
-                    work: Work::Gpu {
-                        yardstick,
-                        _memory: memory,
-                    },
+                    work: Work::Gpu(Box::new((yardstick, memory))),
                 })
             }
             Target::Cpu => {
@@ -121,7 +115,7 @@ impl Copy {
     /// Runs it once.
     pub(super) fn run(&mut self) -> Result<(f64, Clock), BackendError> {
         match &mut self.work {
-            Work::Gpu { yardstick, .. } => timed(yardstick),
+            Work::Gpu(both) => timed(&mut both.0),
             Work::Cpu(copy) => Ok((copy.run(), Clock::Wall)),
         }
     }

@@ -49,8 +49,11 @@ struct Ready {
     groups: (u32, u32),
 }
 
-/// The kernels of the prefix sum over the survivors, with their invocations for so many particles.
-const SCAN: &[(&str, fn(u32) -> u32)] = &[
+/// A kernel, with its invocations for so many particles.
+type Step = (&'static str, fn(u32) -> u32);
+
+/// The kernels of the prefix sum over the survivors.
+const SCAN: &[Step] = &[
     ("scan/count_bits", |particles| particles.div_ceil(2048)),
     ("scan/sum_runs", |particles| particles.div_ceil(131_072)),
     ("scan/survivors", |_| 1),

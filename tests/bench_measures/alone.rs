@@ -79,10 +79,13 @@ fn r88_what_streaks_cost_is_told_beside_the_rasteriser() {
     );
 }
 
+/// A kernel, with its invocations for so many records.
+type Form = (&'static str, fn(u32) -> u32);
+
 /// The sizes at which pages, runs and rows of workgroups begin and end.
 #[test]
 fn yardsticks_do_their_work_at_every_size() {
-    let forms: [(&str, fn(u32) -> u32); 4] = [
+    let forms: [Form; 4] = [
         ("bench/copy", |records| records),
         ("bench/copy_vec4", |records| 2 * records),
         ("bench/copy_runs", |records| records.div_ceil(16)),
@@ -91,18 +94,16 @@ fn yardsticks_do_their_work_at_every_size() {
     common::on_each_adapter(|name, device| {
         for (records, size) in [(1, 64), (17, 256), (64, 64), (2049, 64), (70_001, 256)] {
             for (kernel, invocations) in forms {
-                {
-                    // A memory of its own: nothing that another form has written.
-                    let memory = YardstickMemory::new(device, records).expect("there is room");
-                    let before = memory.read_destination().expect("it is read");
-                    let made = Yardstick::kernel(&memory, "copy", kernel, size, invocations);
-                    made.expect("it compiles").run().expect("it runs");
-                    let [source, destination] = [memory.read_source(), memory.read_destination()]
-                        .map(|read| read.expect("it is read"));
-                    assert_eq!(source.len(), records as usize * 8);
-                    assert!(source == destination, "{kernel} of {records} on {name}");
-                    assert!(before != destination, "nothing was to be done");
-                }
+                // A memory of its own: nothing that another form has written.
+                let memory = YardstickMemory::new(device, records).expect("there is room");
+                let before = memory.read_destination().expect("it is read");
+                let made = Yardstick::kernel(&memory, "copy", kernel, size, invocations);
+                made.expect("it compiles").run().expect("it runs");
+                let [source, destination] = [memory.read_source(), memory.read_destination()]
+                    .map(|read| read.expect("it is read"));
+                assert_eq!(source.len(), records as usize * 8);
+                assert!(source == destination, "{kernel} of {records} on {name}");
+                assert!(before != destination, "nothing was to be done");
             }
         }
     });
