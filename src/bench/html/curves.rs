@@ -92,7 +92,8 @@ fn times(scene: &str, curves: &[Curve]) -> String {
     let y = Scale::log(values.iter().copied(), [PLANE.bottom, PLANE.top]);
     let mut svg = axes(&PLANE, (&x, "particles"), (&y, "ms a frame"));
     for (ms, words) in [(1000.0 / 60.0, "60 frames/s"), (1000.0, "1 frame/s")] {
-        if y.holds(ms) {
+        // At the upper edge its words would cover the axis's.
+        if y.holds(ms) && y.at(ms) > PLANE.top + 16.0 {
             svg += &reference(y.at(ms), words);
         }
     }

@@ -14,7 +14,8 @@ const STEP: f64 = 42.0;
 /// A pass that has less of every frame is shown among the rest.
 const LEAST_SHARE: f64 = 0.02;
 
-/// Passes with a colour of their own, in order of their colours; the others are the rest.
+/// Passes with a colour of their own, in order of their colours; the others are the rest. They go by their
+/// last names, for one backend says `draw/splat` and another `splat`.
 pub(super) struct Colors<'a>(Vec<&'a str>);
 
 impl<'a> Colors<'a> {
@@ -24,9 +25,12 @@ impl<'a> Colors<'a> {
         for run in records.iter().flat_map(|it| &it.record.runs) {
             for pass in &run.passes {
                 let share = share(pass, run);
-                match passes.iter_mut().find(|(name, _)| *name == pass.name) {
+                match passes
+                    .iter_mut()
+                    .find(|(name, _)| *name == last(&pass.name))
+                {
                     Some((_, most)) => *most = most.max(share),
-                    None => passes.push((&pass.name, share)),
+                    None => passes.push((last(&pass.name), share)),
                 }
             }
         }
@@ -38,9 +42,14 @@ impl<'a> Colors<'a> {
     }
 
     fn of(&self, pass: &str) -> String {
-        let at = self.0.iter().position(|name| *name == pass);
+        let at = self.0.iter().position(|name| *name == last(pass));
         at.map_or("var(--rest)".to_owned(), pass_color)
     }
+}
+
+/// A pass's name without its folder.
+fn last(name: &str) -> &str {
+    name.rsplit('/').next().unwrap_or_default()
 }
 
 fn share(pass: &Measure, run: &Run) -> f64 {
@@ -84,7 +93,10 @@ pub(super) fn chart(labelled: &Labelled, colors: &Colors) -> String {
         y += STEP;
     }
     let mut legend = String::new();
-    for (at, name) in colors.0.iter().enumerate() {
+    let passes = || labelled.record.runs.iter().flat_map(|run| &run.passes);
+    let is_here = |name: &str| passes().any(|pass| last(&pass.name) == name);
+    let colored = colors.0.iter().enumerate();
+    for (at, name) in colored.filter(|(_, name)| is_here(name)) {
         legend += &item(&pass_color(at), name);
     }
     legend += &item("var(--rest)", "the rest");
@@ -134,7 +146,7 @@ fn bar(run: &Run, y: f64, colors: &Colors) -> String {
             colors.of(&pass.name),
             escaped(&words)
         );
-        let name = pass.name.rsplit('/').next().unwrap_or_default();
+        let name = last(&pass.name);
         let label = format!("{name} {:.0} %", share * 100.0);
         if label.chars().count() as f64 * 7.0 + 10.0 < width {
             svg += &format!(
