@@ -376,7 +376,14 @@ fn no_kernel_is_an_orphan_and_stages_stand_in_order() {
 const WITHOUT_A_STAGE: &[&str] = &[
     "digest/digest",
     "draw/unpack",
+    "bench/atomic_contended",
+    "bench/atomic_spread",
     "bench/copy",
+    "bench/copy_runs",
+    "bench/copy_strides",
+    "bench/copy_vec4",
     "bench/noise_lattice",
     "bench/noise_simplex",
+    "bench/read_only",
+    "bench/write_only",
 ];

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use motes::gpu::shader::sources::{KERNELS, LIBRARIES, YARDSTICKS};
+use motes::gpu::shader::sources::{KERNELS, LIBRARIES, RASTERS, YARDSTICKS};
 use motes::gpu::shader::{self, Access, CompileOptions, CompiledKernel, Step, compile_source};
 
 /// A kernel whose line 6 is `line` and whose line 7 stores `stored`.
@@ -159,6 +159,7 @@ fn every_wgsl_file_is_listed_once() {
     let mut listed: Vec<_> = KERNELS
         .iter()
         .chain(YARDSTICKS)
+        .chain(RASTERS)
         .chain(LIBRARIES)
         .map(|s| s.file)
         .collect();
@@ -198,6 +199,22 @@ fn every_kernel_compiles_at_every_size_and_is_decorated() {
                     }
                 }
             }
+        }
+    }
+}
+
+#[test]
+fn shaders_of_the_rasteriser_are_valid_wgsl() {
+    for raster in RASTERS {
+        let module = naga::front::wgsl::parse_str(raster.text)
+            .unwrap_or_else(|e| panic!("{}", e.emit_to_string_with_path(raster.text, raster.file)));
+        let flags = naga::valid::ValidationFlags::all();
+        let mut validator = naga::valid::Validator::new(flags, naga::valid::Capabilities::empty());
+        if let Err(error) = validator.validate(&module) {
+            panic!(
+                "{}",
+                error.emit_to_string_with_path(raster.text, raster.file)
+            );
         }
     }
 }

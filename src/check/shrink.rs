@@ -1,7 +1,7 @@
 //! A scene made small enough to be checked in seconds, with all that makes it what it is.
 
 use crate::plan::{Plan, PlanError};
-use crate::scene::{Scene, System, Track};
+use crate::scene::{Scene, System};
 
 /// Most particles alive at once in a shrunk scene, about.
 const MOST_PARTICLES: u32 = 20_000;
@@ -76,7 +76,7 @@ pub fn shrunk(scene: &Scene, frames: u32) -> Result<Scene, PlanError> {
         // The scene's own capacity says nothing about how many there will be.
         let unbounded = Scene {
             capacity: None,
-            ..with_births(&small, factor, scene.capacity)
+            ..small.with_births(factor)
         };
         factor *= match Plan::new(&unbounded, frames) {
             Ok(plan) if plan.capacity <= MOST_PARTICLES => break,
@@ -85,40 +85,6 @@ pub fn shrunk(scene: &Scene, frames: u32) -> Result<Scene, PlanError> {
             Err(_) => 1.0 / 1024.0,
         };
     }
-    let small = with_births(&small, factor, scene.capacity);
+    let small = small.with_births(factor);
     Plan::new(&small, frames).map(|_| small)
-}
-
-/// The scene with its births, and its capacity if it has one, times `factor`.
-fn with_births(scene: &Scene, factor: f64, capacity: Option<u32>) -> Scene {
-    let mut scaled = scene.clone();
-    let times = |value: f32| (f64::from(value) * factor) as f32;
-    for system in &mut scaled.systems {
-        let births = &mut system.births;
-        for parts in [
-            &mut births.initial_mean_parts,
-            &mut births.delta_mean_parts,
-            &mut births.quadratic_mean_parts,
-            &mut births.cubic_mean_parts,
-            &mut births.var_parts,
-            &mut births.delta_var_parts,
-            &mut births.quadratic_var_parts,
-            &mut births.cubic_var_parts,
-        ] {
-            *parts = times(*parts);
-        }
-        for burst in &mut system.bursts {
-            burst.parts.mean = times(burst.parts.mean);
-            burst.parts.var = times(burst.parts.var);
-        }
-    }
-    let is_births = |track: &&mut Track| track.key.contains("_parts");
-    for track in scaled.tracks.iter_mut().filter(is_births) {
-        for key in &mut track.keys {
-            key.value = key.value.map(times);
-        }
-    }
-    // What was dropped for want of room is still dropped, in proportion.
-    scaled.capacity = capacity.map(|most| ((f64::from(most) * factor) as u32).max(1));
-    scaled
 }

@@ -1,10 +1,14 @@
 //! The command line: parsed low, checked high, one file a subcommand.
 
 mod adapters;
+mod bench;
 mod check;
+mod compare;
 mod completions;
+mod interrupt;
 mod man;
 mod render;
+mod report;
 mod scenes;
 mod schema;
 
@@ -40,6 +44,12 @@ enum Command {
     Render(render::RenderArgs),
     /// Compare an adapter with the processor, bit for bit
     Check(check::CheckArgs),
+    /// Measure what each pass of a frame costs on an adapter
+    Bench(bench::BenchArgs),
+    /// Tell whether it got slower, from records that bench made
+    Compare(compare::CompareArgs),
+    /// Show records that bench made: tables, a page with pictures, CSV
+    Report(report::ReportArgs),
     /// List the adapters that scenes can run on, best first
     Adapters(adapters::AdaptersArgs),
     /// List the built-in scenes, or what can be changed in one
@@ -201,6 +211,9 @@ pub fn main() -> u8 {
     let result = match cli.command {
         Command::Render(args) => render::run(args),
         Command::Check(args) => check::run(&args),
+        Command::Bench(args) => bench::run(&args),
+        Command::Compare(args) => compare::run(&args),
+        Command::Report(args) => report::run(&args),
         Command::Adapters(args) => adapters::run(&args),
         Command::Scenes(args) => scenes::run(&args),
         Command::Schema(args) => schema::run(&args),

@@ -100,7 +100,10 @@ pub fn open(name: &str) -> Result<Option<GpuDevice>, BackendError> {
 
 fn open_adapter(adapter: &wgpu::Adapter) -> Result<GpuDevice, BackendError> {
     let description = describe_adapter(adapter);
-    let stamps = adapter.features() & wgpu::Features::TIMESTAMP_QUERY;
+    let clocks = wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS;
+    // For the benchmark's raster of quads into 32-bit floats.
+    let blended = wgpu::Features::FLOAT32_BLENDABLE;
+    let stamps = adapter.features() & (clocks | blended);
     let request = adapter.request_device(&wgpu::DeviceDescriptor {
         label: Some("motes"),
         required_features: required_features(adapter) | stamps,

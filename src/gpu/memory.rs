@@ -205,7 +205,7 @@ fn allocate(
 
 /// A software adapter's memory is the system's, which gives it only when it is written to, and ends
 /// the process when there is none.
-fn check_available(gpu: &GpuDevice, bytes: u64) -> Result<(), BackendError> {
+pub(super) fn check_available(gpu: &GpuDevice, bytes: u64) -> Result<(), BackendError> {
     if gpu.description.kind != "software" {
         return Ok(());
     }

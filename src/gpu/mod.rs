@@ -11,11 +11,13 @@ mod commands;
 mod device;
 pub mod dispatch;
 mod kernel;
+mod measured;
 mod memory;
 mod needs;
 mod options;
 mod picture;
 mod probe;
+mod raster;
 mod raw;
 mod readback;
 mod record;
@@ -23,8 +25,10 @@ mod restore;
 mod run;
 pub mod shader;
 mod timing;
+mod traffic;
 mod watch;
 mod yardstick;
+mod yardstick_memory;
 
 use std::collections::{HashMap, VecDeque};
 
@@ -47,8 +51,12 @@ pub use needs::{UnfitDevice, device_descriptor, required_features, required_limi
 pub use options::{GpuOptions, Mutation};
 pub use picture::{ParticleBuffers, TextureError};
 pub use probe::KernelForm;
+pub use raster::{RasterShape, RasterTarget};
 pub use timing::KernelTimes;
+pub use traffic::{Load, Traffic, stage_traffic, traffic};
 pub use watch::is_waiting;
+pub use yardstick::{Timed, Yardstick};
+pub use yardstick_memory::{TABLE_WORDS, YardstickMemory};
 
 /// The state of a run on a device.
 pub struct GpuBackend {

@@ -60,7 +60,11 @@ impl GpuBackend {
             let all = &self.commands[self.current][&stage];
             let begins = all.first().is_some_and(|first| wanted(first.kernel));
             if stage == Stage::Splat && begins {
-                self.memory.clear_light(&mut encoder)?;
+                let clear = |encoder: &mut _| self.memory.clear_light(encoder);
+                match &mut timed {
+                    None => clear(&mut encoder)?,
+                    Some(timed) => timed.between_passes("draw/clear_light", &mut encoder, clear)?,
+                }
             }
             let dispatches = self.memory.named("dispatches")?;
             let commands = all.iter().filter(|command| wanted(command.kernel));
@@ -72,9 +76,13 @@ impl GpuBackend {
                     }
                 }
                 Some(timed) => {
-                    for command in commands {
-                        let mut pass = encoder.begin_compute_pass(&timed.pass(command.kernel));
-                        command.encode(&mut pass, &self.kernels, dispatches);
+                    // A kernel's pages are one pass, so that their number is no bound.
+                    let commands: Vec<_> = commands.collect();
+                    for same in commands.chunk_by(|a, b| a.kernel == b.kernel) {
+                        let mut pass = encoder.begin_compute_pass(&timed.pass(same[0].kernel));
+                        for command in same {
+                            command.encode(&mut pass, &self.kernels, dispatches);
+                        }
                     }
                 }
             }

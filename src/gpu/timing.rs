@@ -16,6 +16,8 @@ pub(super) struct Timer {
     queries: wgpu::QuerySet,
     resolved: wgpu::Buffer,
     period_ns: f64,
+    /// Whether copies and clears can be timed, too.
+    between_passes: bool,
     frames: Vec<Vec<&'static str>>,
     used: u32,
 }
@@ -49,9 +51,18 @@ impl Timer {
                 mapped_at_creation: false,
             }),
             period_ns: f64::from(gpu.queue.get_timestamp_period()),
+            between_passes: gpu
+                .device
+                .features()
+                .contains(wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS),
             frames: Vec::new(),
             used: 0,
         })
+    }
+
+    /// Whether copies and clears can be timed, too.
+    pub(super) fn times_between_passes(&self) -> bool {
+        self.between_passes
     }
 
     /// Begins a submission.
@@ -85,24 +96,56 @@ impl Timer {
 }
 
 impl TimedFrame<'_> {
-    /// A pass for `kernel`, timed while there is room for its timestamps.
-    pub(super) fn pass(&mut self, kernel: &'static str) -> wgpu::ComputePassDescriptor<'_> {
+    /// Where to write the next two timestamps, which are those of `name`; `None` when there is no
+    /// room left for them.
+    pub(super) fn stamps(&mut self, name: &'static str) -> Option<(&wgpu::QuerySet, u32)> {
         let timer = &mut *self.timer;
         let first = timer.used;
         if first + 2 > MOST_STAMPS {
-            return wgpu::ComputePassDescriptor::default();
+            return None;
         }
         timer.used += 2;
         if let Some(frame) = timer.frames.last_mut() {
-            frame.push(kernel);
+            frame.push(name);
         }
+        Some((&timer.queries, first))
+    }
+
+    /// A pass for `kernel`, timed while there is room for its timestamps.
+    pub(super) fn pass(&mut self, kernel: &'static str) -> wgpu::ComputePassDescriptor<'_> {
+        let Some((query_set, first)) = self.stamps(kernel) else {
+            return wgpu::ComputePassDescriptor::default();
+        };
         wgpu::ComputePassDescriptor {
             label: Some(kernel),
             timestamp_writes: Some(wgpu::ComputePassTimestampWrites {
-                query_set: &timer.queries,
+                query_set,
                 beginning_of_pass_write_index: Some(first),
                 end_of_pass_write_index: Some(first + 1),
             }),
+        }
+    }
+
+    /// Does what is no pass, copies and clears; timed where the device can.
+    pub(super) fn between_passes<T>(
+        &mut self,
+        name: &'static str,
+        encoder: &mut wgpu::CommandEncoder,
+        work: impl FnOnce(&mut wgpu::CommandEncoder) -> T,
+    ) -> T {
+        let stamps = if self.timer.between_passes {
+            self.stamps(name)
+        } else {
+            None
+        };
+        match stamps {
+            Some((queries, first)) => {
+                encoder.write_timestamp(queries, first);
+                let done = work(encoder);
+                encoder.write_timestamp(queries, first + 1);
+                done
+            }
+            None => work(encoder),
         }
     }
 

@@ -1,93 +1,249 @@
-//! What an adapter's memory can do at best: the measure that stages are held against.
+//! Kernels alone, on buffers of their own: what an adapter can do at best, which stages are held
+//! against. `src/bench/` decides what is measured and how often; here it is put on the device.
+
+use std::time::Instant;
 
 use super::device::GpuDevice;
 use super::dispatch::dispatch_for;
 use super::kernel::Kernel;
 use super::probe::KernelForm;
+use super::raster::Raster;
 use super::shader::{self, CompileOptions};
 use super::timing::Timer;
+use super::yardstick_memory::{Page, YardstickMemory};
 use crate::backend::BackendError;
-use crate::layout::Particle;
 
-impl GpuDevice {
-    /// Milliseconds of each of `repeats` runs of a yardstick over `records` particles (32 bytes
-    /// read, 32 written), on the device's clock; empty where it has none. At most one binding's
-    /// worth of records. `bench/copy` does nothing else; the others work on what they read.
+/// How long one run took.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Timed {
+    /// Milliseconds.
+    pub ms: f64,
+    /// Whether by the device's own clock; else by that of the processor, from the submission until
+    /// the device is done.
+    pub by_device: bool,
+}
+
+/// Work that can be run again and again, each run timed.
+#[derive(Debug)]
+pub struct Yardstick {
+    name: &'static str,
+    gpu: GpuDevice,
+    work: Work,
+    timer: Option<Timer>,
+}
+
+#[derive(Debug)]
+enum Work {
+    Dispatches(Vec<Ready>),
+    /// From, to, bytes.
+    Copies(Vec<(wgpu::Buffer, wgpu::Buffer, u64)>),
+    Raster(Raster),
+}
+
+/// A dispatch, ready to encode.
+#[derive(Debug)]
+struct Ready {
+    pipeline: wgpu::ComputePipeline,
+    group: wgpu::BindGroup,
+    immediates: Vec<u32>,
+    groups: (u32, u32),
+}
+
+/// A kernel, with its invocations for so many particles.
+type Step = (&'static str, fn(u32) -> u32);
+
+/// The kernels of the prefix sum over the survivors.
+const SCAN: &[Step] = &[
+    ("scan/count_bits", |particles| particles.div_ceil(2048)),
+    ("scan/sum_runs", |particles| particles.div_ceil(131_072)),
+    ("scan/survivors", |_| 1),
+    ("scan/spread_runs", |particles| particles.div_ceil(131_072)),
+    ("scan/spread_bits", |particles| particles.div_ceil(2048)),
+];
+
+impl Yardstick {
+    /// Runs `kernel` over all records, page by page: an invocation takes `1 / invocations_per_record`
+    /// of a record, or a run of `records_per_invocation`. It binds what `memory` has, by name.
     ///
     /// # Errors
-    /// No yardstick has that name, out of memory, or the device fails.
-    pub fn yardstick_times(
-        &self,
-        yardstick: &'static str,
-        records: u32,
+    /// No kernel has that name, it binds something else, or the device fails.
+    pub fn kernel(
+        memory: &YardstickMemory,
+        name: &'static str,
+        kernel: &'static str,
         workgroup_size: u32,
-        repeats: u32,
-    ) -> Result<Vec<f64>, BackendError> {
-        self.watched(|| self.measured(yardstick, records, workgroup_size, repeats))
+        invocations: impl Fn(u32) -> u32,
+    ) -> Result<Self, BackendError> {
+        let gpu = &memory.gpu;
+        gpu.watched(|| {
+            let compiled = compiled(gpu, kernel, workgroup_size)?;
+            let dispatches = memory.pages.iter().map(|page| {
+                let work = (invocations(page.records), workgroup_size);
+                ready(memory, &compiled, Some(page), &[page.records], work)
+            });
+            let work = Work::Dispatches(dispatches.collect::<Result<_, _>>()?);
+            Ok(Self::new(gpu, name, work))
+        })
     }
 
-    fn measured(
-        &self,
-        yardstick: &'static str,
-        records: u32,
-        workgroup_size: u32,
-        repeats: u32,
-    ) -> Result<Vec<f64>, BackendError> {
-        let Some(mut timer) = Timer::new(self) else {
-            return Ok(Vec::new());
-        };
-        let compiled = shader::compile(
-            yardstick,
-            &CompileOptions {
-                workgroup_size,
-                ..CompileOptions::default()
-            },
-        )
-        .map_err(|e| BackendError::Internal(e.to_string()))?;
-        let form = if self.description.exact {
-            KernelForm::Spirv
-        } else {
-            KernelForm::Wgsl
-        };
-        let kernel = Kernel::unchecked_bindings(self, &compiled, form, false);
-        let buffers = ["source", "destination"].map(|label| {
-            self.device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some(label),
-                size: u64::from(records) * size_of::<Particle>() as u64,
-                usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
-                mapped_at_creation: false,
-            })
-        });
-        // Random words: a copy of zeros can be quicker than one of data.
-        let words: Vec<u32> = (0..records * 8)
-            .map(|at| at.wrapping_mul(0x9e37_79b9))
-            .collect();
-        self.queue
-            .write_buffer(&buffers[0], 0, bytemuck::cast_slice(&words));
-        let group = self.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some(yardstick),
-            layout: &kernel.layout,
-            entries: &[0, 1].map(|at| wgpu::BindGroupEntry {
-                binding: at,
-                resource: buffers[at as usize].as_entire_binding(),
-            }),
-        });
-        for _ in 0..repeats {
-            let mut encoder = self.device.create_command_encoder(&Default::default());
-            let mut timed = timer.frame();
-            {
-                let mut pass = encoder.begin_compute_pass(&timed.pass(yardstick));
-                pass.set_pipeline(&kernel.pipeline);
-                pass.set_bind_group(0, &group, &[]);
-                pass.set_immediates(0, bytemuck::bytes_of(&records));
-                let (x, y) = dispatch_for(records, workgroup_size);
-                pass.dispatch_workgroups(x, y, 1);
-            }
-            timed.resolve(&mut encoder);
-            self.queue.submit([encoder.finish()]);
-            self.wait()?;
-        }
-        let times = timer.take(self)?;
-        Ok(times.into_iter().flatten().map(|(_, ms)| ms).collect())
+    /// The prefix sum over as many survivors as `memory` has records: all of its kernels.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn scan(memory: &YardstickMemory, workgroup_size: u32) -> Result<Self, BackendError> {
+        let gpu = &memory.gpu;
+        gpu.watched(|| {
+            let dispatches = SCAN.iter().map(|(kernel, invocations)| {
+                let compiled = compiled(gpu, kernel, workgroup_size)?;
+                let size = compiled.compiled.workgroup_size[0];
+                let work = (invocations(memory.records), size);
+                ready(memory, &compiled, None, &[], work)
+            });
+            let work = Work::Dispatches(dispatches.collect::<Result<_, _>>()?);
+            Ok(Self::new(gpu, "scan", work))
+        })
     }
+
+    /// The interface's own copy of all records.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn copy_buffer(memory: &YardstickMemory) -> Result<Self, BackendError> {
+        let copy = |page: &Page| {
+            let (from, to) = (page.source.clone(), page.destination.clone());
+            let bytes = from.size();
+            (from, to, bytes)
+        };
+        let work = Work::Copies(memory.pages.iter().map(copy).collect());
+        memory
+            .gpu
+            .watched(|| Ok(Self::new(&memory.gpu, "copy_buffer", work)))
+    }
+
+    /// A pass of the device's own rasteriser.
+    pub(super) fn raster(gpu: &GpuDevice, name: &'static str, raster: Raster) -> Self {
+        Self::new(gpu, name, Work::Raster(raster))
+    }
+
+    fn new(gpu: &GpuDevice, name: &'static str, work: Work) -> Self {
+        let timer = Timer::new(gpu)
+            .filter(|timer| !matches!(work, Work::Copies(_)) || timer.times_between_passes());
+        Self {
+            name,
+            gpu: gpu.clone(),
+            work,
+            timer,
+        }
+    }
+
+    /// Runs it once and waits for it.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn run(&mut self) -> Result<Timed, BackendError> {
+        let gpu = self.gpu.clone();
+        gpu.watched(|| self.timed())
+    }
+
+    fn timed(&mut self) -> Result<Timed, BackendError> {
+        let begun = Instant::now();
+        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+        let mut timed = self.timer.as_mut().map(Timer::frame);
+        match &self.work {
+            Work::Dispatches(dispatches) => {
+                let descriptor = match &mut timed {
+                    Some(timed) => timed.pass(self.name),
+                    None => wgpu::ComputePassDescriptor::default(),
+                };
+                let mut pass = encoder.begin_compute_pass(&descriptor);
+                for ready in dispatches {
+                    pass.set_pipeline(&ready.pipeline);
+                    pass.set_bind_group(0, &ready.group, &[]);
+                    if !ready.immediates.is_empty() {
+                        pass.set_immediates(0, bytemuck::cast_slice(&ready.immediates));
+                    }
+                    pass.dispatch_workgroups(ready.groups.0, ready.groups.1, 1);
+                }
+            }
+            Work::Copies(copies) => {
+                let copy = |encoder: &mut wgpu::CommandEncoder| {
+                    for (from, to, bytes) in copies {
+                        encoder.copy_buffer_to_buffer(from, 0, to, 0, *bytes);
+                    }
+                };
+                match &mut timed {
+                    Some(timed) => timed.between_passes(self.name, &mut encoder, copy),
+                    None => copy(&mut encoder),
+                }
+            }
+            Work::Raster(raster) => {
+                let stamps = timed.as_mut().and_then(|timed| timed.stamps(self.name));
+                raster.encode(&mut encoder, stamps);
+            }
+        }
+        if let Some(timed) = timed {
+            timed.resolve(&mut encoder);
+        }
+        self.gpu.queue.submit([encoder.finish()]);
+        self.gpu.wait()?;
+        let wall_ms = begun.elapsed().as_secs_f64() * 1e3;
+        let times = match &mut self.timer {
+            Some(timer) => timer.take(&self.gpu)?,
+            None => Vec::new(),
+        };
+        let by_device = times.iter().flatten().next();
+        Ok(Timed {
+            ms: by_device.map_or(wall_ms, |(_, ms)| *ms),
+            by_device: by_device.is_some(),
+        })
+    }
+}
+
+fn compiled(gpu: &GpuDevice, kernel: &str, workgroup_size: u32) -> Result<Kernel, BackendError> {
+    let options = CompileOptions {
+        workgroup_size,
+        ..CompileOptions::default()
+    };
+    let compiled =
+        shader::compile(kernel, &options).map_err(|e| BackendError::Internal(e.to_string()))?;
+    let form = if gpu.description.exact {
+        KernelForm::Spirv
+    } else {
+        KernelForm::Wgsl
+    };
+    Ok(Kernel::unchecked_bindings(gpu, &compiled, form, false))
+}
+
+/// The dispatch of a kernel whose bindings are found in `memory` by their names.
+fn ready(
+    memory: &YardstickMemory,
+    kernel: &Kernel,
+    page: Option<&Page>,
+    immediates: &[u32],
+    (invocations, workgroup_size): (u32, u32),
+) -> Result<Ready, BackendError> {
+    let name = &kernel.compiled.name;
+    let entries = kernel.compiled.bindings.iter().map(|binding| {
+        let buffer = memory.named(&binding.name, page).ok_or_else(|| {
+            BackendError::Unsupported(format!("no buffer `{}` for `{name}` alone", binding.name))
+        })?;
+        Ok(wgpu::BindGroupEntry {
+            binding: binding.binding,
+            resource: buffer.as_entire_binding(),
+        })
+    });
+    let entries: Vec<_> = entries.collect::<Result<_, BackendError>>()?;
+    let device = &memory.gpu.device;
+    let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some(name),
+        layout: &kernel.layout,
+        entries: &entries,
+    });
+    let words = kernel.compiled.immediate_size as usize / 4;
+    Ok(Ready {
+        pipeline: kernel.pipeline.clone(),
+        group,
+        immediates: immediates.iter().copied().take(words).collect(),
+        groups: dispatch_for(invocations, workgroup_size),
+    })
 }

@@ -105,7 +105,7 @@ impl StatsRow<'_> {
             measured,
             digest,
         } = *self;
-        let population = quoted(population);
+        let population = quoted_field(population);
         let (measured, causes) = match measured {
             Measured::Particles(counts) => {
                 let ParticleCounts {
@@ -131,7 +131,7 @@ impl StatsRow<'_> {
 }
 
 /// A field as RFC 4180 has it: quoted where it holds a comma, a quote or a line break, quotes doubled.
-fn quoted(field: &str) -> Cow<'_, str> {
+pub(crate) fn quoted_field(field: &str) -> Cow<'_, str> {
     if field.contains([',', '"', '\n', '\r']) {
         Cow::Owned(format!("\"{}\"", field.replace('"', "\"\"")))
     } else {

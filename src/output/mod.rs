@@ -37,6 +37,7 @@ mod svg;
 mod target;
 
 pub(crate) use atomic::{AtomicFile, probe};
+pub(crate) use csv::quoted_field;
 pub use csv::{Measured, ParticleCounts, StatsRow, StatsWriter};
 pub use error::OutputError;
 pub use exr::write_exr;

@@ -30,6 +30,11 @@ macro_rules! builtin {
 
 /// Every built-in scene, by name.
 pub const BUILTIN: &[BuiltinScene] = builtin![
+    "bench-discs",
+    "bench-free",
+    "bench-points",
+    "bench-streaks",
+    "bench-wind-3",
     "explosion",
     "explosion-lines",
     "fireworks",

@@ -18,6 +18,7 @@ mod knobs;
 mod parse;
 mod picture;
 mod read;
+mod scaled;
 pub mod schema;
 mod set;
 mod system;
@@ -78,6 +79,9 @@ pub struct Scene {
     pub seed: u64,
     /// Most particles alive at once, 1 ..= 1,000,000,000; `None` means a bound computed from births and lifetimes.
     pub capacity: Option<u32>,
+    /// How many are alive once births and deaths balance, 1 ..= 1,000,000,000; `None` where they
+    /// never do, or nobody has counted. Benchmarks scale births by it.
+    pub steady_particles: Option<u32>,
     /// Image size, background and shutter.
     pub image: Image,
     /// The viewer.

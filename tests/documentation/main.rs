@@ -9,8 +9,9 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 /// Pages by their path from the top of the repository.
-const PAGES: [(&str, &str); 3] = [
+const PAGES: [(&str, &str); 4] = [
     ("README.md", include_str!("../../README.md")),
+    ("benches/README.md", include_str!("../../benches/README.md")),
     ("scenes/README.md", include_str!("../../scenes/README.md")),
     (
         "tests/driver-ci/README.md",

@@ -16,6 +16,7 @@ pub(crate) const KEYS: &[(&str, &str, &str, &str, &str)] = &[
     ("", "frame_rate", "\"fast\"", "241", "from 1 to 240"),
     ("", "seed", "1.0", "-1", "from 0 to 9223372036854775807"),
     ("", "capacity", "[1]", "1_000_000_001", "from 1 to 1_000_000_000"),
+    ("", "steady_particles", "\"1e6\"", "0", "from 1 to 1_000_000_000"),
     ("image", "width", "640.0", "4097", "from 1 to 4096, pixels"),
     ("image", "height", "\"720\"", "0", "from 1 to 4096, pixels"),
     ("image", "background", "0.5", "[0, 0, 1.01]", "3 numbers, each from 0 to 1"),

@@ -79,6 +79,7 @@ fn what_is_not_written_has_the_documented_default() {
         frame_rate: 24,
         seed: 1,
         capacity: None,
+        steady_particles: None,
         image: Image {
             width: 1280,
             height: 720,
@@ -243,6 +244,7 @@ fn every_other_key_reaches_its_place() {
         frame_rate: 30,
         seed: 0xfeed,
         capacity: Some(200_000),
+        steady_particles: Some(150_000),
         image: Image {
             width: 640,
             height: 360,

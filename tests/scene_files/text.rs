@@ -28,6 +28,7 @@ frames = 10
 frame_rate = 30
 seed = 0xfeed
 capacity = 200_000
+steady_particles = 150_000
 [image]
 width = 640
 height = 360

@@ -2,10 +2,12 @@
 //! time with the exit code that says whose fault it is, and with what is wrong, where, and what would
 //! be right; nothing is printed or left behind. All on the processor.
 
+mod benches;
 mod commands;
 mod outputs;
 mod pipes;
 mod recordings;
+mod records;
 mod row;
 mod scenes;
 mod values;

@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use super::frame::{picture_of, rows_of};
-use super::interrupt::Interrupt;
 use super::journal::{Finished, Journal};
 use super::summary::Summary;
 use crate::backend::BackendError;
+use crate::cli::interrupt::Interrupt;
 use crate::cli::{CliError, note, progress_bar};
 use crate::output::{
     Drawing, FrameSink, OutputTarget, ParticleRecord, Picture, StatsWriter, Written, dump_path,

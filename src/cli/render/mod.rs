@@ -3,7 +3,7 @@
 mod args;
 mod collisions;
 mod frame;
-mod interrupt;
+
 mod job;
 mod journal;
 mod request;
@@ -15,12 +15,12 @@ use std::ops::Range;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use super::interrupt::Interrupt;
 use super::{CliError, note};
 use crate::gpu::shader::sources;
 use crate::output::{FrameSink, OutputTarget, StatsWriter, dump_path, probe};
 use crate::scene::Scene;
 use crate::simulation::{self, AdapterChoice, Options, Simulation, SimulationError};
-use interrupt::Interrupt;
 use job::{Job, Pictures};
 use journal::{Finished, Journal};
 use request::Request;

@@ -5,12 +5,12 @@ use std::fs;
 use std::path::Path;
 use std::time::Duration;
 
-use super::interrupt::Interrupt;
 use super::job::{Job, Pictures};
 use super::journal::{Finished, Journal};
 use super::summary::Summary;
 use crate::backend::{Backend, BackendError};
 use crate::cli::CliError;
+use crate::cli::interrupt::Interrupt;
 use crate::cpu::CpuBackend;
 use crate::layout::FrameStats;
 use crate::output::{FrameSink, OutputTarget, StatsWriter};

@@ -69,8 +69,21 @@ pub static KERNELS: &[Source] = sources![
 pub static WIDE_KERNELS: &[&str] = &["draw/unpack"];
 
 /// Kernels of no frame: what others are measured against.
-pub static YARDSTICKS: &[Source] =
-    sources!["bench/copy", "bench/noise_simplex", "bench/noise_lattice"];
+pub static YARDSTICKS: &[Source] = sources![
+    "bench/copy",
+    "bench/copy_vec4",
+    "bench/copy_runs",
+    "bench/copy_strides",
+    "bench/read_only",
+    "bench/write_only",
+    "bench/atomic_spread",
+    "bench/atomic_contended",
+    "bench/noise_simplex",
+    "bench/noise_lattice",
+];
+
+/// Shaders of the device's own rasteriser, plain WGSL: its light is not exact.
+pub static RASTERS: &[Source] = sources!["bench/raster"];
 
 /// The listed file of that name, kernel or library.
 pub fn find(name: &str) -> Option<&'static Source> {

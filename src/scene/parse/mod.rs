@@ -71,6 +71,7 @@ fn scene(root: &Node, name: &str) -> Result<Scene, SceneError> {
         frame_rate: table.must("frame_rate", whole32)?,
         seed: table.must("seed", whole)?,
         capacity: table.may("capacity", whole32)?,
+        steady_particles: table.may("steady_particles", whole32)?,
         image: table.must("image", image)?,
         camera: table.must("camera", camera)?,
         systems: table.must("system", systems)?,

@@ -1,0 +1,150 @@
+//! Which of the old times belongs to which of the new.
+
+use std::fmt;
+
+use rayon::prelude::*;
+
+use super::super::record::{Measure, Record};
+use super::super::spread::Spread;
+use super::super::units::grouped;
+use super::warnings::warnings;
+use super::{Compared, Comparison, Kind, LEVEL, bootstrap, identity};
+
+/// Samples of the same thing, from each record of a side that has it, and the thing's share of the frame.
+#[derive(Default)]
+struct Side<'a> {
+    spreads: Vec<&'a Spread>,
+    shares: Vec<f64>,
+}
+
+/// What identifies a thing that was timed.
+#[derive(Clone, PartialEq)]
+struct Key {
+    run: Option<(String, u64)>,
+    kind: Kind,
+    name: String,
+}
+
+impl fmt::Display for Key {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.run {
+            Some((scene, particles)) => {
+                write!(
+                    f,
+                    "{} of {scene} at {} particles",
+                    self.name,
+                    grouped(*particles)
+                )
+            }
+            None => write!(f, "{} alone", self.name),
+        }
+    }
+}
+
+pub(super) fn one_adapter(old: &[Record], new: &[Record]) -> Comparison {
+    let (old_sides, new_sides) = (sides(old), sides(new));
+    let find = |key: &Key| new_sides.iter().find(|(other, _)| other == key);
+    let missing = |from: &[(Key, Side)], others: &[(Key, Side)]| -> Vec<String> {
+        let is_missing = |key: &Key| !others.iter().any(|(other, _)| other == key);
+        from.iter()
+            .filter(|(key, _)| is_missing(key))
+            .map(|(key, _)| key.to_string())
+            .collect()
+    };
+    let both: Vec<(&Key, &Side, &Side)> = old_sides
+        .iter()
+        .filter_map(|(key, side)| Some((key, side, &find(key)?.1)))
+        .collect();
+    Comparison {
+        adapter: old.first().map(identity).unwrap_or_default(),
+        new_adapter: new.first().map(identity).unwrap_or_default(),
+        old_records: old.len(),
+        new_records: new.len(),
+        compared: both
+            .par_iter()
+            .map(|(key, old, new)| compared(key, old, new))
+            .collect(),
+        only_old: missing(&old_sides, &new_sides),
+        only_new: missing(&new_sides, &old_sides),
+        warnings: warnings(old, new),
+    }
+}
+
+/// All that the records timed, in their order.
+fn sides(records: &[Record]) -> Vec<(Key, Side<'_>)> {
+    let mut sides: Vec<(Key, Side)> = Vec::new();
+    let mut add = |key: Key, ms, share: Option<f64>| {
+        let at = sides
+            .iter()
+            .position(|(other, _)| *other == key)
+            .unwrap_or_else(|| {
+                sides.push((key, Side::default()));
+                sides.len() - 1
+            });
+        sides[at].1.spreads.push(ms);
+        sides[at].1.shares.extend(share);
+    };
+    for record in records {
+        for Measure { name, ms, .. } in &record.micro {
+            let key = Key {
+                run: None,
+                kind: Kind::Micro,
+                name: name.clone(),
+            };
+            add(key, ms, None);
+        }
+        for run in &record.runs {
+            let frame = run.frame_ms.median;
+            let share = |ms: &Spread| (frame > 0.0).then(|| ms.median / frame);
+            let of_run = Some((run.scene.clone(), run.particles));
+            let passes = run
+                .passes
+                .iter()
+                .map(|pass| (Kind::Pass, pass.name.as_str(), &pass.ms));
+            let whole = [
+                ("step", &run.step_ms),
+                ("draw", &run.draw_ms),
+                ("frame", &run.frame_ms),
+            ];
+            let whole = whole.map(|(name, ms)| (Kind::Whole, name, ms));
+            for (kind, name, ms) in passes.chain(whole) {
+                let key = Key {
+                    run: of_run.clone(),
+                    kind,
+                    name: name.to_owned(),
+                };
+                add(key, ms, share(ms));
+            }
+        }
+    }
+    sides
+}
+
+fn compared(key: &Key, old: &Side, new: &Side) -> Compared {
+    fn samples<'a>(side: &Side<'a>) -> Vec<&'a [f64]> {
+        side.spreads
+            .iter()
+            .map(|ms| ms.samples_or_median())
+            .collect()
+    }
+    let told = |side: &Side| {
+        let medians: Vec<f64> = side.spreads.iter().map(|ms| ms.median).collect();
+        bootstrap::median(&medians)
+    };
+    let (old_ms, new_ms) = (told(old), told(new));
+    let name = key.to_string();
+    let seed = name.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    });
+    let is_timed = old_ms > 0.0 && new_ms > 0.0;
+    let change = || bootstrap::change(&samples(old), &samples(new), LEVEL, seed);
+    Compared {
+        run: key.run.clone(),
+        kind: key.kind,
+        name: key.name.clone(),
+        old_ms,
+        new_ms,
+        share_of_frame: (!new.shares.is_empty()).then(|| bootstrap::median(&new.shares)),
+        change: is_timed.then(change).flatten(),
+    }
+}

@@ -1,0 +1,194 @@
+//! The yardstick of all others: the fastest copy of 32-byte records that the target can be made to
+//! do, in whatever form.
+
+use std::time::Instant;
+
+use rayon::prelude::*;
+
+use super::spread::{Clock, percentile};
+use super::target::Target;
+use crate::backend::BackendError;
+use crate::gpu::{Yardstick, YardstickMemory};
+use crate::layout::Particle;
+
+/// Most records of a copy beside a run of more: larger than any cache already.
+pub(super) const MOST_BESIDE: u32 = 4_194_304;
+
+/// A way to copy: its name, its kernel, its invocations for so many records.
+pub(super) type Form = (&'static str, &'static str, fn(u32) -> u32);
+
+/// Ways to copy with a kernel.
+pub(super) const FORMS: &[Form] = &[
+    ("a record an invocation", "bench/copy", |records| records),
+    ("four words an invocation", "bench/copy_vec4", |records| {
+        2 * records
+    }),
+    ("runs of 16 records", "bench/copy_runs", |records| {
+        records.div_ceil(16)
+    }),
+    ("eight strides", "bench/copy_strides", |records| {
+        records.div_ceil(4)
+    }),
+];
+
+/// Workgroups to try.
+const WORKGROUPS: [u32; 3] = [64, 128, 256];
+
+/// Timed runs of each form before one is taken.
+const TRIALS: usize = 3;
+
+/// A copy that can be run again and again.
+pub(super) struct Copy {
+    /// Which form it has.
+    pub(super) form: String,
+    records: u32,
+    work: Work,
+}
+
+enum Work {
+    /// With the buffers that it binds.
+    Gpu(Box<(Yardstick, YardstickMemory)>),
+    Cpu(CpuCopy),
+}
+
+/// How the processor copies.
+pub(super) struct CpuCopy {
+    from: Vec<Particle>,
+    to: Vec<Particle>,
+    /// Records that a task takes; all of them for a single thread.
+    chunk: usize,
+}
+
+impl Copy {
+    /// The fastest of all forms for so many records.
+    pub(super) fn fastest(target: &Target, records: u32) -> Result<Self, BackendError> {
+        match target {
+            Target::Gpu(device) => {
+                let memory = YardstickMemory::new(device, records)?;
+                let mut best: Option<(f64, String, Yardstick)> = None;
+                for form in FORMS {
+                    let (ms, workgroup_size, yardstick) = of_form(&memory, form)?;
+                    if best.as_ref().is_none_or(|(least, ..)| ms < *least) {
+                        let named = format!("{}, workgroups of {workgroup_size}", form.0);
+                        best = Some((ms, named, yardstick));
+                    }
+                }
+                let none = || BackendError::Internal("no form of the copy".into());
+                let (_, form, yardstick) = best.ok_or_else(none)?;
+                Ok(Self {
+                    form,
+                    records,
+                    work: Work::Gpu(Box::new((yardstick, memory))),
+                })
+            }
+            Target::Cpu => {
+                let mut copy = CpuCopy::new(records, records.max(1) as usize)?;
+                let mut best: Option<(f64, usize)> = None;
+                for chunk in [records.max(1) as usize, 8192, 65_536] {
+                    copy.chunk = chunk;
+                    let times: Vec<f64> = (0..=TRIALS).map(|_| copy.run()).collect();
+                    let ms = times[1..].iter().copied().fold(f64::INFINITY, f64::min);
+                    if best.is_none_or(|(least, _)| ms < least) {
+                        best = Some((ms, chunk));
+                    }
+                }
+                copy.chunk = best.map_or(copy.chunk, |(_, chunk)| chunk);
+                Ok(Self {
+                    form: copy.form(),
+                    records,
+                    work: Work::Cpu(copy),
+                })
+            }
+        }
+    }
+
+    /// How many it copies.
+    pub(super) fn records(&self) -> u32 {
+        self.records
+    }
+
+    /// Bytes read and written by a run.
+    pub(super) fn bytes(&self) -> u64 {
+        u64::from(self.records) * 2 * size_of::<Particle>() as u64
+    }
+
+    /// Runs it once.
+    pub(super) fn run(&mut self) -> Result<(f64, Clock), BackendError> {
+        match &mut self.work {
+            Work::Gpu(both) => timed(&mut both.0),
+            Work::Cpu(copy) => Ok((copy.run(), Clock::Wall)),
+        }
+    }
+}
+
+/// One run of a device's yardstick.
+pub(super) fn timed(yardstick: &mut Yardstick) -> Result<(f64, Clock), BackendError> {
+    let timed = yardstick.run()?;
+    let clock = if timed.by_device {
+        Clock::GpuTimestamps
+    } else {
+        Clock::Wall
+    };
+    Ok((timed.ms, clock))
+}
+
+/// The fastest workgroup size for this form.
+pub(super) fn of_form(
+    memory: &YardstickMemory,
+    (_, kernel, invocations): &Form,
+) -> Result<(f64, u32, Yardstick), BackendError> {
+    let mut best: Option<(f64, u32, Yardstick)> = None;
+    for size in WORKGROUPS {
+        let mut yardstick = Yardstick::kernel(memory, "copy_kernel", kernel, size, invocations)?;
+        // The first run compiles.
+        yardstick.run()?;
+        let mut times = Vec::new();
+        for _ in 0..TRIALS {
+            times.push(yardstick.run()?.ms);
+        }
+        times.sort_by(f64::total_cmp);
+        let ms = percentile(&times, 0.5);
+        if best.as_ref().is_none_or(|(least, ..)| ms < *least) {
+            best = Some((ms, size, yardstick));
+        }
+    }
+    best.ok_or_else(|| BackendError::Internal("no workgroup size".into()))
+}
+
+impl CpuCopy {
+    pub(super) fn new(records: u32, chunk: usize) -> Result<Self, BackendError> {
+        let mut from = crate::backend::try_zeroed(records as usize, "records to copy")?;
+        let to = from.clone();
+        for (at, record) in from.iter_mut().enumerate() {
+            let word = (at as u32).wrapping_mul(0x9e37_79b9);
+            *record = Particle {
+                position_and_index: [word; 4],
+                velocity_and_birth: [!word; 4],
+            };
+        }
+        Ok(Self { from, to, chunk })
+    }
+
+    /// In words.
+    pub(super) fn form(&self) -> String {
+        if self.chunk >= self.from.len() {
+            "one thread".into()
+        } else {
+            format!("all threads, {} records at a time", self.chunk)
+        }
+    }
+
+    /// Milliseconds of one copy.
+    pub(super) fn run(&mut self) -> f64 {
+        let begun = Instant::now();
+        if self.chunk >= self.from.len() {
+            self.to.copy_from_slice(&self.from);
+        } else {
+            let to = self.to.par_chunks_mut(self.chunk);
+            let both = to.zip(self.from.par_chunks(self.chunk));
+            both.for_each(|(to, from)| to.copy_from_slice(from));
+        }
+        std::hint::black_box(&mut self.to);
+        begun.elapsed().as_secs_f64() * 1e3
+    }
+}

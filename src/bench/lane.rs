@@ -1,0 +1,232 @@
+//! One run of a plan on one target, frame by frame, with the time of each of its passes.
+
+use std::time::Instant;
+
+use super::record::Part;
+use super::spread::Clock;
+use super::target::Target;
+use crate::backend::{Backend, BackendError};
+use crate::cpu::CpuBackend;
+use crate::gpu::{GpuBackend, GpuOptions, Load, STAGE_KERNELS, Traffic, stage_traffic, traffic};
+use crate::layout::FrameStats;
+use crate::plan::{FrameInputs, Plan, STAGES};
+
+/// A run under measurement.
+pub(super) struct Lane {
+    backend: Bound,
+}
+
+enum Bound {
+    Cpu(Box<CpuBackend>),
+    Gpu(Box<GpuBackend>),
+}
+
+/// What one pass took.
+pub(super) struct PassTime {
+    pub(super) name: &'static str,
+    pub(super) part: Part,
+    pub(super) ms: f64,
+}
+
+/// What one frame took.
+pub(super) struct FrameTimes {
+    pub(super) passes: Vec<PassTime>,
+    /// From its submission to its end.
+    pub(super) wall_ms: f64,
+}
+
+impl FrameTimes {
+    /// Of one half's passes together.
+    pub(super) fn part_ms(&self, part: Part) -> f64 {
+        let of_part = self.passes.iter().filter(|pass| pass.part == part);
+        of_part.map(|pass| pass.ms).sum()
+    }
+}
+
+fn part_of(draws: bool) -> Part {
+    if draws { Part::Draw } else { Part::Step }
+}
+
+fn ms_since(begun: Instant) -> f64 {
+    begun.elapsed().as_secs_f64() * 1e3
+}
+
+impl Lane {
+    /// An empty run.
+    pub(super) fn start(target: &Target, plan: &Plan) -> Result<Self, BackendError> {
+        let backend = match target {
+            Target::Cpu => Bound::Cpu(Box::new(CpuBackend::new(plan, None)?)),
+            Target::Gpu(device) => {
+                let options = GpuOptions {
+                    timed: true,
+                    ..GpuOptions::default()
+                };
+                Bound::Gpu(Box::new(GpuBackend::new(device, plan, &options)?))
+            }
+        };
+        Ok(Self { backend })
+    }
+
+    pub(super) fn backend(&mut self) -> &mut dyn Backend {
+        match &mut self.backend {
+            Bound::Cpu(cpu) => cpu.as_mut(),
+            Bound::Gpu(gpu) => gpu.as_mut(),
+        }
+    }
+
+    /// By which clock its passes are timed.
+    pub(super) fn clock(&self) -> Clock {
+        match &self.backend {
+            Bound::Gpu(gpu) if gpu.is_timed() => Clock::GpuTimestamps,
+            _ => Clock::Wall,
+        }
+    }
+
+    /// Bytes that it has allocated on a device.
+    pub(super) fn device_bytes(&self) -> Option<u64> {
+        match &self.backend {
+            Bound::Cpu(_) => None,
+            Bound::Gpu(gpu) => Some(gpu.memory_bytes()),
+        }
+    }
+
+    /// What has been stepped since the last call. Times that nobody wanted are forgotten.
+    pub(super) fn statistics(&mut self) -> Result<Vec<FrameStats>, BackendError> {
+        if let Bound::Gpu(gpu) = &mut self.backend {
+            gpu.take_times()?;
+        }
+        self.backend().take_statistics()
+    }
+
+    /// Steps and draws a frame.
+    pub(super) fn frame(&mut self, inputs: &FrameInputs) -> Result<FrameTimes, BackendError> {
+        match &mut self.backend {
+            Bound::Cpu(cpu) => by_stages(cpu.as_mut(), inputs),
+            Bound::Gpu(gpu) if gpu.is_timed() => by_timestamps(gpu, inputs),
+            Bound::Gpu(gpu) => by_kernels(gpu, inputs),
+        }
+    }
+
+    /// Draws alone, again: what that took without making it dark and turning light into bytes.
+    pub(super) fn splat_ms(&mut self, inputs: &FrameInputs) -> Result<f64, BackendError> {
+        let is_splat = |name: &str| {
+            let of = STAGE_KERNELS.iter().find(|of| of.kernel == name);
+            of.is_some_and(|of| of.stage.info().name == "splat")
+        };
+        match &mut self.backend {
+            Bound::Cpu(cpu) => {
+                let begun = Instant::now();
+                cpu.run_stage(crate::plan::Stage::Splat, inputs)?;
+                Ok(ms_since(begun))
+            }
+            Bound::Gpu(gpu) if gpu.is_timed() => {
+                gpu.draw(inputs)?;
+                let times = gpu.take_times()?.into_iter().flatten();
+                Ok(times
+                    .filter(|(name, _)| is_splat(name))
+                    .map(|(_, ms)| ms)
+                    .sum())
+            }
+            Bound::Gpu(gpu) => {
+                let begun = Instant::now();
+                gpu.run_stage(crate::plan::Stage::Splat, inputs)?;
+                Ok(ms_since(begun))
+            }
+        }
+    }
+
+    /// What the frame of these statistics had to do, as far as only the run itself can tell.
+    pub(super) fn load(&mut self, plan: &Plan, stats: &FrameStats) -> Result<Load, BackendError> {
+        let low = self.backend().read("light_low")?;
+        let high = self.backend().read("light_high")?;
+        let lit = |(low, high): (&[u32], &[u32])| low.iter().chain(high).any(|word| *word != 0);
+        let lit_pixels = low
+            .chunks(3)
+            .zip(high.chunks(3))
+            .filter(|two| lit(*two))
+            .count();
+        let (large, pages) = match &mut self.backend {
+            Bound::Cpu(_) => (0, 1),
+            Bound::Gpu(gpu) => (gpu.large_particles()?, gpu.page_count().into()),
+        };
+        Ok(Load {
+            live: stats.live.into(),
+            total: u64::from(stats.live) + u64::from(stats.died),
+            born: stats.born.into(),
+            pixels: u64::from(plan.width) * u64::from(plan.height),
+            lit_pixels: lit_pixels as u64,
+            large,
+            systems: plan.system_count.into(),
+            pages,
+            uses: plan.uses,
+        })
+    }
+
+    /// What a pass of that name works on.
+    pub(super) fn traffic(&self, pass: &str, load: &Load) -> Option<Traffic> {
+        match &self.backend {
+            Bound::Cpu(_) => {
+                let info = STAGES.iter().find(|info| info.name == pass)?;
+                stage_traffic(info.stage, load)
+            }
+            Bound::Gpu(_) => traffic(pass, load),
+        }
+    }
+}
+
+fn by_stages(cpu: &mut CpuBackend, inputs: &FrameInputs) -> Result<FrameTimes, BackendError> {
+    let frame = Instant::now();
+    let passes = STAGES.iter().map(|info| {
+        let begun = Instant::now();
+        cpu.run_stage(info.stage, inputs)?;
+        Ok(PassTime {
+            name: info.name,
+            part: part_of(info.draws),
+            ms: ms_since(begun),
+        })
+    });
+    let passes = passes.collect::<Result<_, BackendError>>()?;
+    Ok(FrameTimes {
+        passes,
+        wall_ms: ms_since(frame),
+    })
+}
+
+fn by_timestamps(gpu: &mut GpuBackend, inputs: &FrameInputs) -> Result<FrameTimes, BackendError> {
+    let begun = Instant::now();
+    gpu.step(inputs)?;
+    gpu.draw(inputs)?;
+    gpu.finish()?;
+    let wall_ms = ms_since(begun);
+    // One submission steps, the other draws.
+    let mut passes: Vec<PassTime> = Vec::new();
+    for (submission, kernels) in gpu.take_times()?.into_iter().enumerate() {
+        let part = part_of(submission > 0);
+        for (name, ms) in kernels {
+            match passes.iter_mut().find(|pass| pass.name == name) {
+                Some(pass) => pass.ms += ms,
+                None => passes.push(PassTime { name, part, ms }),
+            }
+        }
+    }
+    Ok(FrameTimes { passes, wall_ms })
+}
+
+/// Where the device has no clock: every kernel is waited for.
+fn by_kernels(gpu: &mut GpuBackend, inputs: &FrameInputs) -> Result<FrameTimes, BackendError> {
+    let frame = Instant::now();
+    let passes = STAGE_KERNELS.iter().map(|of| {
+        let begun = Instant::now();
+        gpu.run_kernel(of.kernel, inputs)?;
+        Ok(PassTime {
+            name: of.kernel,
+            part: part_of(of.stage.info().draws),
+            ms: ms_since(begun),
+        })
+    });
+    let passes = passes.collect::<Result<_, BackendError>>()?;
+    Ok(FrameTimes {
+        passes,
+        wall_ms: ms_since(frame),
+    })
+}

@@ -1,0 +1,230 @@
+//! A record as text for a terminal, at most [`COLUMNS`] wide.
+
+use super::record::{Measure, Part, Record, Run};
+use super::remarks;
+use super::spread::Spread;
+use super::units::{binary_bytes, digits, grouped, percent, prefixed, shortened};
+
+/// No line is longer, characters.
+pub const COLUMNS: usize = 100;
+
+/// Characters of a pass's name.
+const NAME: usize = 30;
+
+/// The whole record: the adapter, the kernels alone, each run.
+pub fn table(record: &Record) -> String {
+    let mut text = heading(record);
+    if !record.micro.is_empty() {
+        text += &micro_table(record);
+    }
+    for run in &record.runs {
+        text += &run_table(record, run);
+    }
+    text
+}
+
+/// What was measured, and on what.
+pub fn heading(record: &Record) -> String {
+    let Record {
+        adapter,
+        driver,
+        backend,
+        ..
+    } = record;
+    let version = record.driver_version.as_deref().unwrap_or_default();
+    let exact = if record.exact { "exact" } else { "not exact" };
+    let threads = match record.cpu_threads {
+        0 => String::new(),
+        threads => format!("{threads} threads"),
+    };
+    let motes = match (record.motes.as_str(), &record.commit) {
+        ("", _) => String::new(),
+        (motes, Some(commit)) => format!("motes {motes} ({commit:.12})"),
+        (motes, None) => format!("motes {motes}"),
+    };
+    let options = record
+        .options
+        .iter()
+        .map(|(key, value)| format!("{key} {value}"));
+    let options: Vec<String> = options.collect();
+    let rate = |rate: Option<f64>| rate.map_or("unknown".to_owned(), |it| digits(it) + " GB/s");
+    let lines = [
+        vec![adapter.as_str(), driver, version, backend, exact],
+        vec![&motes, &record.os, &record.cpu, &threads],
+        options.iter().map(String::as_str).collect(),
+    ];
+    let mut text = String::new();
+    for line in lines {
+        let parts: Vec<&str> = line.into_iter().filter(|part| !part.is_empty()).collect();
+        if !parts.is_empty() {
+            text += shortened(&parts.join(", "), COLUMNS).trim_end();
+            text.push('\n');
+        }
+    }
+    text += &format!(
+        "copy by a kernel {}, by the interface {}\n",
+        rate(record.copy_kernel_gb_per_s),
+        rate(record.copy_buffer_gb_per_s)
+    );
+    text + &warnings(&record.warnings)
+}
+
+/// The kernels alone, with a blank line before.
+pub fn micro_table(record: &Record) -> String {
+    let mut text = format!("\n{}\n", head("kernels alone", ""));
+    for measure in &record.micro {
+        text += &line(measure, "", None);
+        if let Some(note) = &measure.note {
+            text += &format!("    {}\n", shortened(note.trim(), COLUMNS - 4));
+        }
+    }
+    text + &warnings(&remarks::of_micro(record))
+}
+
+/// One run, with a blank line before.
+pub fn run_table(record: &Record, run: &Run) -> String {
+    let frame = run.frame_ms.median;
+    let mut text = format!(
+        "\n{}\n{}\n",
+        shortened(&title(run), COLUMNS),
+        head("pass", "of frame")
+    );
+    let mut part = None;
+    for pass in &run.passes {
+        if pass.part != part {
+            part = pass.part;
+            text += match part {
+                Some(Part::Step) => "step\n",
+                Some(Part::Draw) => "draw\n",
+                None => "",
+            };
+        }
+        let indent = if part.is_some() { "  " } else { "" };
+        text += &line(pass, indent, Some(frame));
+    }
+    let sums = [
+        ("step", &run.step_ms),
+        ("draw", &run.draw_ms),
+        ("frame", &run.frame_ms),
+    ];
+    for (name, ms) in sums {
+        text += &sum(&format!("whole {name}"), ms, frame);
+    }
+    if let Some(wall) = &run.wall_ms {
+        text += &sum("frame by the machine's clock", wall, frame);
+    }
+    if let Some(floor) = run.floor_ms(record) {
+        let times = match frame > 0.0 {
+            true => format!("; the frame takes {} times that", digits(frame / floor)),
+            false => String::new(),
+        };
+        let line = format!(
+            "{:<NAME$} {:>8}  to copy as many bytes{times}",
+            "floor",
+            digits(floor)
+        );
+        text += &(shortened(&line, COLUMNS) + "\n");
+    }
+    text += &facts(run);
+    text + &warnings(&remarks::of_run(run))
+}
+
+/// E.g. `million at 1,000,000 particles, 1280x720, 61 frames after 64`.
+pub(super) fn title(run: &Run) -> String {
+    let size = run
+        .image_px
+        .map_or(String::new(), |[across, down]| format!(", {across}x{down}"));
+    let warm = match run.warm_up_frames {
+        0 => String::new(),
+        frames => format!(" after {frames}"),
+    };
+    let (scene, particles, frames) = (&run.scene, grouped(run.particles), run.frames);
+    format!("{scene} at {particles} particles{size}, {frames} frames{warm}")
+}
+
+/// Rates and memory of a run.
+fn facts(run: &Run) -> String {
+    let mut facts = Vec::new();
+    let live = run.live.unwrap_or(run.particles);
+    if run.frame_ms.median > 0.0 {
+        let rate = live as f64 / (run.frame_ms.median * 1e-3);
+        facts.push(format!("{} particles/s", prefixed(rate)));
+    }
+    if run.live.is_some_and(|live| live != run.particles) {
+        facts.push(format!("{} live", grouped(live)));
+    }
+    if run.dropped > 0 {
+        facts.push(format!("{} births dropped", grouped(run.dropped)));
+    }
+    if let Some(seconds) = run.cpu_seconds {
+        facts.push(format!("{} s of processor time", digits(seconds)));
+    }
+    if run.peak_memory_bytes > 0 {
+        facts.push(format!("peak {}", binary_bytes(run.peak_memory_bytes)));
+    }
+    if let Some(bytes) = run.gpu_memory_bytes {
+        facts.push(format!("{} on the device", binary_bytes(bytes)));
+    }
+    if facts.is_empty() {
+        return String::new();
+    }
+    format!("{}\n", shortened(&facts.join(", "), COLUMNS))
+}
+
+fn head(name: &str, last: &str) -> String {
+    let text = format!(
+        "{name:<NAME$} {:>8} {:>17} {:>8} {:>8} {:>8} {last:>9}",
+        "ms", "p10 .. p90", "items", "GB/s", "of copy"
+    );
+    text.trim_end().to_owned()
+}
+
+fn line(measure: &Measure, indent: &str, frame_ms: Option<f64>) -> String {
+    let name = indent.to_owned() + &shortened(&measure.name, NAME - indent.len());
+    let none = || "-".to_owned();
+    let text = format!(
+        "{name:<NAME$} {} {:>8} {:>8} {:>8} {:>9}",
+        times(&measure.ms),
+        prefixed(measure.items as f64),
+        measure.gb_per_s.map_or_else(none, digits),
+        measure.share_of_copy.map_or_else(none, percent),
+        share(measure.ms.median, frame_ms)
+    );
+    text.trim_end().to_owned() + "\n"
+}
+
+fn sum(name: &str, ms: &Spread, frame_ms: f64) -> String {
+    let gap = "";
+    let share = share(ms.median, Some(frame_ms));
+    format!("{name:<NAME$} {} {gap:>26} {share:>9}\n", times(ms))
+}
+
+fn times(ms: &Spread) -> String {
+    let range = format!("{} .. {}", digits(ms.p10), digits(ms.p90));
+    format!("{:>8} {range:>17}", digits(ms.median))
+}
+
+fn share(ms: f64, frame_ms: Option<f64>) -> String {
+    match frame_ms {
+        Some(frame) if frame > 0.0 => percent(ms / frame),
+        _ => String::new(),
+    }
+}
+
+/// Each as `  warning: …`, broken where lines get too long.
+fn warnings(texts: &[String]) -> String {
+    let mut all = String::new();
+    for text in texts {
+        let mut line = "  warning:".to_owned();
+        for word in text.split_whitespace() {
+            if line.chars().count() + 1 + word.chars().count() > COLUMNS {
+                all += &(line + "\n");
+                line = " ".repeat(10);
+            }
+            line.push(' ');
+            line += word;
+        }
+        all += &(line + "\n");
+    }
+    all
+}

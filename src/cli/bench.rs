@@ -1,0 +1,262 @@
+//! `motes bench`: what each pass of a frame costs, as a share of what the adapter's memory can do.
+
+use std::io::IsTerminal as _;
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+use super::interrupt::Interrupt;
+use super::{CliError, note, print};
+use crate::bench::{self, BenchError, Budget, Progress, Request, Target};
+use crate::output::write_whole;
+use crate::scene::{self, Scene};
+use crate::simulation::AdapterChoice;
+
+/// What is measured where nobody says what.
+const DEFAULT_SCENE: &str = "million";
+
+/// How often progress is told, at most.
+const TOLD_EVERY: Duration = Duration::from_millis(100);
+
+/// Arguments of `motes bench`.
+#[derive(Debug, clap::Args)]
+pub(super) struct BenchArgs {
+    /// TOML files, or names of built-in scenes [default: million; none with --micro]
+    #[arg(value_name = "SCENE")]
+    scenes: Vec<String>,
+    /// Measure kernels alone: copies, reads, atomics, noise, scan, splats, the rasteriser
+    #[arg(long)]
+    micro: bool,
+    /// How many particles live, e.g. 1e5,1e6: scenes with `steady_particles` are scaled to them
+    #[arg(long, value_name = "N,N,…", value_delimiter = ',', value_parser = parse_particles, allow_hyphen_values = true)]
+    particles: Vec<u32>,
+    /// Frames to measure [default: until the noise is low enough]
+    #[arg(long, value_name = "N", value_parser = parse_frames, allow_hyphen_values = true)]
+    frames: Option<u32>,
+    /// How uncertain the median of a frame may be, percent
+    #[arg(long, value_name = "PERCENT", value_parser = parse_noise, default_value = "1", allow_hyphen_values = true, conflicts_with = "frames")]
+    noise: f64,
+    /// Seconds after which a scene is measured no longer
+    #[arg(long, value_name = "S", value_parser = parse_seconds, default_value = "10", allow_hyphen_values = true, conflicts_with = "frames")]
+    seconds: f64,
+    /// auto, cpu, or part of an adapter's name; several in turn, separated by commas
+    #[arg(
+        long,
+        value_name = "A,A,…",
+        env = "MOTES_ADAPTER",
+        default_value = "auto"
+    )]
+    adapter: String,
+    /// Write the record as JSON; an array of them for several adapters
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Write one line a measurement
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Write a page with plots
+    #[arg(long, value_name = "FILE")]
+    html: Option<PathBuf>,
+}
+
+fn parse_particles(text: &str) -> Result<u32, String> {
+    let count = text.trim().parse::<f64>().ok();
+    let count = count.filter(|count| count.fract() == 0.0 && (1.0..=1e9).contains(count));
+    count
+        .map(|count| count as u32)
+        .ok_or_else(|| "particles are a whole number from 1 to 1e9, e.g. 1e6".to_owned())
+}
+
+fn parse_frames(text: &str) -> Result<u32, String> {
+    let frames = text.trim().parse().ok();
+    frames
+        .filter(|frames| (1..=1000).contains(frames))
+        .ok_or_else(|| "frames are a whole number from 1 to 1000, e.g. 31".to_owned())
+}
+
+fn parse_noise(text: &str) -> Result<f64, String> {
+    let percent = text.trim().trim_end_matches('%').parse::<f64>().ok();
+    percent
+        .filter(|percent| (0.01..=100.0).contains(percent))
+        .ok_or_else(|| "noise is a number of percent from 0.01 to 100, e.g. 1".to_owned())
+}
+
+fn parse_seconds(text: &str) -> Result<f64, String> {
+    let seconds = text.trim().parse::<f64>().ok();
+    seconds
+        .filter(|seconds| (0.1..=86_400.0).contains(seconds))
+        .ok_or_else(|| "seconds are a number from 0.1 to 86400, e.g. 10".to_owned())
+}
+
+pub(super) fn run(args: &BenchArgs) -> Result<u8, CliError> {
+    places(args)?;
+    let request = request(args)?;
+    let targets = targets(&args.adapter)?;
+    let interrupt = Interrupt::listen()?;
+    let names: Vec<_> = targets.iter().map(Target::name).collect();
+    note!("motes: measuring on {}", names.join(", "));
+    let line = Line::new();
+    let mut watch = |progress: &Progress| {
+        line.tell(progress);
+        interrupt.exit_code().is_none()
+    };
+    let measured = bench::measure(&targets, &request, &mut watch);
+    line.bar.finish_and_clear();
+    let records = match measured {
+        Ok(records) => records,
+        Err(BenchError::Stopped) => {
+            note!("motes: stopped; nothing was written");
+            return Ok(interrupt.exit_code().unwrap_or(1));
+        }
+        Err(error) => return Err(error.into()),
+    };
+    let texts: Vec<String> = records.iter().map(bench::table).collect();
+    if let Some(path) = &args.json {
+        bench::write_records(path, &records)?;
+    }
+    if let Some(path) = &args.csv {
+        write_whole(path, bench::csv(&records).as_bytes())?;
+    }
+    if let Some(path) = &args.html {
+        write_whole(path, bench::html(&records).as_bytes())?;
+    }
+    print(&texts.join("\n"))?;
+    Ok(0)
+}
+
+/// Refuses reports that cannot be written, before hours are spent on them.
+fn places(args: &BenchArgs) -> Result<(), CliError> {
+    let reports = [
+        ("--json", &args.json),
+        ("--csv", &args.csv),
+        ("--html", &args.html),
+    ];
+    let given = reports
+        .iter()
+        .filter_map(|(name, path)| Some((*name, path.as_ref()?)));
+    let given: Vec<_> = given.collect();
+    for (at, (name, path)) in given.iter().enumerate() {
+        super::refuse_folder(name, path)?;
+        if let Some((other, _)) = given[..at].iter().find(|(_, other)| other == path) {
+            return Err(CliError::usage(
+                format!(
+                    "{other} and {name} would be written to the same file: {}",
+                    path.display()
+                ),
+                "give each a path of its own",
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Reads and checks everything before the first frame.
+fn request(args: &BenchArgs) -> Result<Request, CliError> {
+    let asked = if args.scenes.is_empty() && !args.micro {
+        vec![DEFAULT_SCENE.to_owned()]
+    } else {
+        args.scenes.clone()
+    };
+    let mut scenes: Vec<Scene> = Vec::new();
+    for name in &asked {
+        let scene = scene::load(name)?;
+        if scenes.iter().any(|other| other.name == scene.name) {
+            return Err(CliError::usage(
+                format!("two scenes are called `{}`", scene.name),
+                "name each once; files are called by their names without .toml",
+            ));
+        }
+        scenes.push(scene);
+    }
+    let mut particles = args.particles.clone();
+    particles.sort_unstable();
+    particles.dedup();
+    let request = Request {
+        scenes,
+        particles,
+        micro: args.micro,
+        budget: Budget {
+            frames: args.frames,
+            noise: args.noise / 100.0,
+            secs: args.seconds,
+        },
+    };
+    match request.check() {
+        Ok(()) => Ok(request),
+        Err((scene, BenchError::Plan(error))) => Err(CliError::of_plan(&error, &scene)),
+        Err((_, error)) => Err(error.into()),
+    }
+}
+
+/// Opens each adapter once.
+fn targets(choices: &str) -> Result<Vec<Target>, CliError> {
+    let mut targets: Vec<Target> = Vec::new();
+    for choice in choices.split(',') {
+        let target = Target::open(&AdapterChoice::parse(choice))?;
+        if targets.iter().any(|other| other.name() == target.name()) {
+            return Err(CliError::usage(
+                format!("`{choices}` names {} twice", target.name()),
+                "name each adapter once, e.g. --adapter llvmpipe,cpu",
+            ));
+        }
+        targets.push(target);
+    }
+    Ok(targets)
+}
+
+impl From<BenchError> for CliError {
+    fn from(error: BenchError) -> Self {
+        Self {
+            message: error.to_string(),
+            code: if error.is_users_fault() { 2 } else { 3 },
+        }
+    }
+}
+
+/// Where the measurement is, on a terminal; nothing in a pipe.
+struct Line {
+    bar: ProgressBar,
+    told: std::cell::Cell<Option<Instant>>,
+}
+
+impl Line {
+    fn new() -> Self {
+        let bar = if std::io::stderr().is_terminal() {
+            ProgressBar::new_spinner()
+        } else {
+            ProgressBar::hidden()
+        };
+        let style = ProgressStyle::with_template("{spinner} {msg}, {elapsed}");
+        Self {
+            bar: match style {
+                Ok(style) => bar.with_style(style),
+                Err(_) => bar,
+            },
+            told: std::cell::Cell::new(None),
+        }
+    }
+
+    /// Seldom enough that the telling is not what is measured.
+    fn tell(&self, progress: &Progress) {
+        let is_soon = |told: Instant| told.elapsed() < TOLD_EVERY;
+        if self.told.get().is_some_and(is_soon) {
+            return;
+        }
+        self.told.set(Some(Instant::now()));
+        let Progress {
+            what,
+            particles,
+            is_warm_up,
+            frames,
+        } = progress;
+        let count = particles.map_or(String::new(), |count| format!(" at {count} particles"));
+        let (doing, unit) = match (is_warm_up, *what == "micro") {
+            (true, _) => ("warming up", "frames"),
+            (false, true) => ("measuring", "rounds"),
+            (false, false) => ("measuring", "frames"),
+        };
+        self.bar
+            .set_message(format!("{what}{count}: {doing}, {frames} {unit}"));
+        self.bar.tick();
+    }
+}

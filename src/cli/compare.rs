@@ -1,0 +1,102 @@
+//! `motes compare`: whether it got slower.
+
+use std::path::{Path, PathBuf};
+
+use super::{CliError, print, refuse_folder};
+use crate::bench::{self, CompareError, Record, RecordError};
+use crate::output::write_whole;
+
+/// Arguments of `motes compare`.
+#[derive(Debug, clap::Args)]
+pub(super) struct CompareArgs {
+    /// Records before, made by `motes bench --json`; several with commas between
+    #[arg(value_name = "OLD.json")]
+    old: PathBuf,
+    /// Records now; as many as before are taken as pairs, so measure in turns
+    #[arg(value_name = "NEW.json")]
+    new: PathBuf,
+    /// End with exit code 1 if anything that matters is slower by more percent, its whole interval
+    #[arg(long, value_name = "PERCENT", value_parser = parse_percent, allow_hyphen_values = true)]
+    fail_above: Option<f64>,
+    /// Compare records of different adapters, drivers or interfaces
+    #[arg(long)]
+    any_adapter: bool,
+    /// Write the comparison as JSON
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+fn parse_percent(text: &str) -> Result<f64, String> {
+    let percent = text
+        .trim()
+        .trim_end_matches('%')
+        .trim_end()
+        .parse::<f64>()
+        .ok();
+    percent
+        .filter(|percent| (0.0..=1000.0).contains(percent))
+        .ok_or_else(|| "percent are a number from 0 to 1000, e.g. 5".to_owned())
+}
+
+impl From<RecordError> for CliError {
+    fn from(error: RecordError) -> Self {
+        Self {
+            message: error.to_string(),
+            code: if error.is_users_fault { 2 } else { 3 },
+        }
+    }
+}
+
+impl From<CompareError> for CliError {
+    fn from(error: CompareError) -> Self {
+        Self {
+            message: error.to_string(),
+            code: 2,
+        }
+    }
+}
+
+pub(super) fn run(args: &CompareArgs) -> Result<u8, CliError> {
+    if let Some(path) = &args.json {
+        refuse_folder("--json", path)?;
+    }
+    let (old, new) = (records(&args.old)?, records(&args.new)?);
+    let comparisons = bench::compare(&old, &new, args.any_adapter)?;
+    let texts: Vec<String> = comparisons
+        .iter()
+        .map(|it| it.text(args.fail_above))
+        .collect();
+    if let Some(path) = &args.json {
+        write_whole(
+            path,
+            bench::comparisons_json(&comparisons, args.fail_above).as_bytes(),
+        )?;
+    }
+    print(&texts.join("\n"))?;
+    let fails = |percent| {
+        comparisons
+            .iter()
+            .any(|it| !it.slower_by(percent).is_empty())
+    };
+    Ok(u8::from(args.fail_above.is_some_and(fails)))
+}
+
+/// The records of one file, or of several with commas between.
+fn records(asked: &Path) -> Result<Vec<Record>, CliError> {
+    let text = asked.to_string_lossy();
+    // A file may have a comma in its name.
+    if asked.exists() || !text.contains(',') {
+        return Ok(bench::read_records(asked)?);
+    }
+    let mut records = Vec::new();
+    for name in text.split(',') {
+        if name.is_empty() {
+            return Err(CliError::usage(
+                format!("a file's name is missing beside a comma in {text}"),
+                "put a comma between two names and nowhere else, e.g. a.json,b.json",
+            ));
+        }
+        records.extend(bench::read_records(Path::new(name))?);
+    }
+    Ok(records)
+}

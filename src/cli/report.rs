@@ -1,0 +1,51 @@
+//! `motes report`: records shown again, several on one page.
+
+use std::path::PathBuf;
+
+use super::{CliError, print, refuse_folder};
+use crate::bench::{self, Record};
+use crate::output::write_whole;
+
+/// Arguments of `motes report`.
+#[derive(Debug, clap::Args)]
+pub(super) struct ReportArgs {
+    /// Records made by `motes bench --json`
+    #[arg(value_name = "RECORD.json", required = true)]
+    records: Vec<PathBuf>,
+    /// Write one page with pictures of all records
+    #[arg(long, value_name = "FILE")]
+    html: Option<PathBuf>,
+    /// Write all records as CSV, one line a measurement
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+}
+
+pub(super) fn run(args: &ReportArgs) -> Result<u8, CliError> {
+    for (argument, path) in [("--html", &args.html), ("--csv", &args.csv)] {
+        if let Some(path) = path {
+            refuse_folder(argument, path)?;
+        }
+    }
+    if args.html.is_some() && args.html == args.csv {
+        return Err(CliError::usage(
+            "--html and --csv would be written to the same file",
+            "give each a path of its own",
+        ));
+    }
+    let mut records: Vec<Record> = Vec::new();
+    for path in &args.records {
+        records.extend(bench::read_records(path)?);
+    }
+    if let Some(path) = &args.html {
+        write_whole(path, bench::html(&records).as_bytes())?;
+    }
+    if let Some(path) = &args.csv {
+        write_whole(path, bench::csv(&records).as_bytes())?;
+    }
+    // Who asked for files has his answer in them.
+    if args.html.is_none() && args.csv.is_none() {
+        let tables: Vec<String> = records.iter().map(bench::table).collect();
+        print(&tables.join("\n"))?;
+    }
+    Ok(0)
+}

@@ -1,0 +1,178 @@
+//! What each kernel of a frame works on, and the bytes that it must move at least: the measure of
+//! its time. A kernel without a line here is timed, but held against nothing.
+//!
+//! Bytes are those that any program would have to move that does the kernel's work, from what the
+//! kernel reads and writes: each record once, each way. What a cache or a register can hold (rows of
+//! parameters, a frame's inputs, counts) is not counted.
+
+use super::commands::STAGE_KERNELS;
+use crate::layout::{Dispatch, Particle, SystemFrame};
+use crate::plan::{Stage, Uses};
+
+/// How much there is to do in a frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Load {
+    /// Particles alive after the frame's step.
+    pub live: u64,
+    /// Particles present in it: those alive before, and the newborn.
+    pub total: u64,
+    /// Births.
+    pub born: u64,
+    /// Pixels of the picture.
+    pub pixels: u64,
+    /// Pixels that some particle's light fell on.
+    pub lit_pixels: u64,
+    /// Particles left to the kernel for those that cover many pixels.
+    pub large: u64,
+    /// Particle systems.
+    pub systems: u64,
+    /// Pages of a pool.
+    pub pages: u64,
+    /// What the plan makes use of.
+    pub uses: Uses,
+}
+
+/// What a pass works on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Traffic {
+    /// Particles, words, pixels: whatever it takes one by one.
+    pub items: u64,
+    /// Bytes that it must move at least.
+    pub bytes: u64,
+}
+
+/// Bytes a particle.
+const PARTICLE: u64 = size_of::<Particle>() as u64;
+
+/// Bytes of a word.
+const WORD: u64 = 4;
+
+/// Bytes of one pixel's light in one of its two limbs.
+const LIMB: u64 = 3 * WORD;
+
+impl Load {
+    /// Words of the bits of those present.
+    fn words(&self) -> u64 {
+        self.total.div_ceil(32)
+    }
+
+    /// Sums of 64 words each, and of 64 such sums each.
+    fn sums(&self) -> (u64, u64) {
+        let sums = self.words().div_ceil(64);
+        (sums, sums.div_ceil(64))
+    }
+
+    /// Bytes that splatted light takes: one limb is read and written where light falls.
+    fn light(&self) -> u64 {
+        self.lit_pixels * 2 * LIMB
+    }
+}
+
+/// A kernel's line: its items and its bytes.
+type Line = (&'static str, fn(&Load) -> (u64, u64));
+
+/// Every kernel of a frame, in order; `draw/clear_light` is a command between them.
+static TABLE: &[Line] = &[
+    ("systems/births", |load| {
+        let frame = size_of::<SystemFrame>() as u64;
+        (load.systems, load.systems * (frame + WORD))
+    }),
+    ("systems/offsets", |load| {
+        (load.systems, load.systems * 2 * WORD)
+    }),
+    ("particles/emit", |load| (load.born, load.born * PARTICLE)),
+    ("particles/cull", |load| {
+        // Who it is, in two words; where it is, if that matters.
+        let each = if load.uses.bounds { PARTICLE } else { 2 * WORD };
+        (load.total, load.total * each + load.words() * WORD)
+    }),
+    ("scan/count_bits", |load| {
+        let (sums, _) = load.sums();
+        (load.words(), (load.words() + sums) * WORD)
+    }),
+    ("scan/sum_runs", |load| {
+        let (sums, of_sums) = load.sums();
+        (sums, (sums + of_sums) * WORD)
+    }),
+    ("scan/survivors", |load| {
+        let (_, of_sums) = load.sums();
+        (of_sums, of_sums * 2 * WORD)
+    }),
+    ("scan/spread_runs", |load| {
+        let (sums, of_sums) = load.sums();
+        (sums, (2 * sums + of_sums) * WORD)
+    }),
+    ("scan/spread_bits", |load| {
+        let (sums, _) = load.sums();
+        (load.words(), (2 * load.words() + sums) * WORD)
+    }),
+    ("scan/pages", |load| {
+        let pairs = load.pages * (load.pages + 1) / 2;
+        let dispatches = (load.pages + pairs) * size_of::<Dispatch>() as u64;
+        (pairs, dispatches + 2 * load.pages * WORD)
+    }),
+    ("particles/advance", |load| {
+        // Only survivors are read; of all, the bits and where they go.
+        let bits = load.words() * 2 * WORD;
+        (load.total, load.live * 2 * PARTICLE + bits)
+    }),
+    ("draw/clear_light", |load| {
+        (load.pixels, load.pixels * 2 * LIMB)
+    }),
+    ("draw/splat", |load| {
+        (load.live, load.live * PARTICLE + load.light())
+    }),
+    ("draw/large_work", |load| {
+        let dispatch = size_of::<Dispatch>() as u64;
+        (load.pages, load.pages * (3 * WORD + dispatch))
+    }),
+    ("draw/splat_large", |load| {
+        (load.large, load.large * (PARTICLE + WORD))
+    }),
+    ("draw/resolve", |load| {
+        (load.pixels, load.pixels * (2 * LIMB + WORD))
+    }),
+];
+
+/// What `kernel` works on; `None` for one that nobody has counted.
+pub fn traffic(kernel: &str, load: &Load) -> Option<Traffic> {
+    let (_, of) = TABLE.iter().find(|(name, _)| *name == kernel)?;
+    let (items, bytes) = of(load);
+    Some(Traffic { items, bytes })
+}
+
+/// What a stage works on, whoever runs it: what its kernel of the same basename does; of a stage
+/// that has none, all of its kernels together.
+pub fn stage_traffic(stage: Stage, load: &Load) -> Option<Traffic> {
+    let kernels = || {
+        let of_stage = STAGE_KERNELS.iter().filter(move |of| of.stage == stage);
+        of_stage.map(|of| of.kernel)
+    };
+    let basename = |kernel: &&str| kernel.rsplit('/').next() == Some(stage.info().name);
+    if let Some(own) = kernels().find(basename) {
+        return traffic(own, load);
+    }
+    let all: Vec<Traffic> = kernels()
+        .filter_map(|kernel| traffic(kernel, load))
+        .collect();
+    let sum = |of: fn(&Traffic) -> u64| all.iter().map(of).sum();
+    (!all.is_empty()).then(|| Traffic {
+        items: all.iter().map(|of| of.items).max().unwrap_or(0),
+        bytes: sum(|of| of.bytes),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_kernel_of_a_frame_has_its_line_and_no_other_has() {
+        let lines: Vec<_> = TABLE.iter().map(|(name, _)| *name).collect();
+        let mut kernels: Vec<_> = STAGE_KERNELS.iter().map(|of| of.kernel).collect();
+        let splat = kernels.iter().position(|name| *name == "draw/splat");
+        kernels.insert(splat.expect("light is splatted"), "draw/clear_light");
+        kernels.dedup();
+        assert_eq!(lines, kernels);
+    }
+}

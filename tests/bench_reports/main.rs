@@ -1,0 +1,9 @@
+//! What becomes of records: tables, CSV, pages, comparisons. Nothing is measured here.
+
+mod compare;
+mod csv;
+mod html;
+mod program;
+mod schema;
+mod synthetic;
+mod table;

@@ -1,0 +1,71 @@
+//! The table for a terminal.
+
+use motes::bench::{COLUMNS, Measure, table};
+
+use crate::synthetic::LLVMPIPE;
+
+/// Golden text; `UPDATE_GOLDEN=1` writes it anew.
+#[test]
+fn a_record_reads_as_it_did() {
+    let mut record = LLVMPIPE.record(&[10_000, 1_000_000]);
+    record.warnings.push("debug build".into());
+    record.runs[1]
+        .warnings
+        .push("995,000 particles live, and 1,000,000 were asked for".into());
+    let text = table(&record);
+    let golden = "tests/bench_reports/table.txt";
+    if std::env::var_os("UPDATE_GOLDEN").is_some() {
+        std::fs::write(golden, &text).expect("the folder can be written");
+    }
+    let expected = std::fs::read_to_string(golden).expect("the text is there");
+    assert_eq!(text, expected, "\n{text}");
+}
+
+#[test]
+fn nothing_is_wider_than_the_terminal() {
+    let mut record = LLVMPIPE.record(&[1, 1_000_000_000_000]);
+    record.adapter = "adapter ".repeat(30);
+    record.warnings.push("word ".repeat(80));
+    record.runs[0].scene = "scene".repeat(40);
+    record.runs[0].passes[0].name = "pass".repeat(20);
+    record.micro[0].note = Some("note ".repeat(40));
+    record.micro[1] = Measure {
+        name: "none".into(),
+        ..Measure::default()
+    };
+    for line in table(&record).lines() {
+        assert!(line.chars().count() <= COLUMNS, "{line}");
+        assert_eq!(line, line.trim_end(), "blanks at the end");
+    }
+}
+
+/// Shares and rates as whoever reads the table would work them out.
+#[test]
+fn numbers_follow_from_the_record() {
+    let record = LLVMPIPE.record(&[1_000_000]);
+    let text = table(&record);
+    let run = &record.runs[0];
+    let advance = run
+        .passes
+        .iter()
+        .find(|pass| pass.name == "particles/advance")
+        .expect("it is there");
+    let line = text
+        .lines()
+        .find(|line| line.contains("particles/advance"))
+        .expect("it is told");
+    let share = advance.ms.median / run.frame_ms.median * 100.0;
+    let rate = 64e6 / advance.ms.median * 1e3 / 1e9;
+    let of_copy = rate / 8.72 * 100.0;
+    for words in [
+        format!("{:.2}", rate),
+        format!("{of_copy:.1} %"),
+        format!("{share:.1} %"),
+        "1.00 M".into(),
+    ] {
+        assert!(line.contains(&words), "{words} is not in\n{line}");
+    }
+    let bytes: f64 = 1e6 * (0.55 + 1.1 + 0.13 + 64.0 + 40.0);
+    let floor = format!("{:.1}  to copy", bytes / 8.72e6);
+    assert!(text.contains(&floor), "{floor} is not in\n{text}");
+}
