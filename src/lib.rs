@@ -97,6 +97,7 @@ pub mod exact;
 pub mod gpu;
 mod json;
 pub mod layout;
+pub mod mesh;
 pub mod noise;
 pub mod output;
 pub mod plan;

@@ -173,6 +173,12 @@ impl GpuBackend {
                 backend.commands[current].insert(info.stage, list);
             }
         }
+        for (name, bytes) in [
+            ("mesh_faces", bytemuck::cast_slice(&plan.meshes.faces)),
+            ("mesh_choices", bytemuck::cast_slice(&plan.meshes.choices)),
+        ] {
+            gpu.write(backend.memory.named(name)?, 0, bytes)?;
+        }
         if options.timed {
             backend.timer = Timer::new(gpu);
         }

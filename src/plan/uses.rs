@@ -1,7 +1,9 @@
 //! Which features a plan has: kernels leave out what it has none of.
 
 use super::FrameInputs;
-use crate::layout::{PARTICLE_RECTANGLE, PARTICLE_STREAK, SystemFrame, SystemRow, WIND_CURL, Wind};
+use crate::layout::{
+    PARTICLE_RECTANGLE, PARTICLE_STREAK, SHAPE_MESH, SystemFrame, SystemRow, WIND_CURL, Wind,
+};
 
 macro_rules! uses {
     ($($(#[$doc:meta])* $field:ident $switch:literal;)*) => {
@@ -58,6 +60,8 @@ uses! {
     light_distances "LIGHT_DISTANCES";
     /// A picture of layers.
     layers "LAYERS";
+    /// Births on meshes.
+    meshes "MESHES";
 }
 
 impl Uses {
@@ -82,6 +86,7 @@ impl Uses {
             rate_spreads: varied || row.ejection_and_light[3] != 0.0,
             streaks: row.kinds[1] == PARTICLE_STREAK,
             rectangles: row.kinds[1] == PARTICLE_RECTANGLE,
+            meshes: row.kinds[0] == SHAPE_MESH,
             light_distances: row.ejection_and_light[2] > 0.0,
             ..Self::default()
         }

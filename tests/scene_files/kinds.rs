@@ -109,7 +109,7 @@ fn every_shape_is_read_with_the_axis_that_goes_with_it() {
         let text = MINIMAL.replace("{ kind = \"sphere\", radius = 1 }", &toml);
         let system = &accepted(&text).systems[0];
         assert_eq!(
-            (system.generation_shape, system.ejection_axis),
+            (system.generation_shape.clone(), system.ejection_axis),
             (shape, axis),
             "{toml}"
         );
@@ -117,7 +117,7 @@ fn every_shape_is_read_with_the_axis_that_goes_with_it() {
         let system = &accepted(&with("system", "generation_shape", &toml)).systems[0];
         let axis = EjectionAxis::Around;
         assert_eq!(
-            (system.generation_shape, system.ejection_axis),
+            (system.generation_shape.clone(), system.ejection_axis),
             (shape, axis),
             "{toml}"
         );

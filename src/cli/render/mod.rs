@@ -52,6 +52,7 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
         SimulationError::Plan(error) => CliError::of_plan(&error, &args.scene),
         error => error.into(),
     })?;
+    super::tell_notes(scene);
     say_where(&args, &simulation, scene);
     say_what_is_beyond(&request);
     // First of all outputs, so that it knows who began what is left of them.

@@ -12,7 +12,7 @@ use crate::cli::{CliError, refuse_folder};
 use crate::output::{OutputTarget, dump_path};
 use crate::plan::Turn;
 use crate::recording::Recording;
-use crate::scene::{self, Scene, Set};
+use crate::scene::{Scene, Set};
 
 /// A recording is shorter.
 const MOST_BYTES: u64 = 16 << 20;
@@ -31,7 +31,7 @@ pub(super) struct Request {
 /// Checks all that can be known before anything is opened.
 pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
     let sets = sets(args);
-    let scene = scene::draft(&args.scene, &sets)?.scene()?;
+    let scene = args.loader().draft(&args.scene, &sets)?.scene()?;
     let frames = match (args.frame, &args.frames) {
         (Some(frame), _) => frame..frame + 1,
         (None, Some(frames)) => frames.clone(),
@@ -86,7 +86,7 @@ pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
         Some(path) => {
             let (text, file) = (text_of(path)?, path.display().to_string());
             let recording = Recording::parse(&text, &file)?;
-            let turns = recording.turns_of(&text, &file, &args.scene, &sets);
+            let turns = recording.turns_of((&text, &file), args.loader(), &args.scene, &sets);
             let turns = turns.map_err(|refused| CliError {
                 message: refused.message,
                 code: 2,
