@@ -1,7 +1,9 @@
 //! glTF 2.0 and its binary form, GLB: the triangles of the scene's nodes, put where the nodes are.
 
+use gltf::json::Root;
+use gltf::json::validation::Checked;
 use gltf::mesh::Mode;
-use gltf::{Document, Gltf, Node, Semantic};
+use gltf::{Document, Node, Semantic};
 
 use super::build::Builder;
 use super::error::MeshError;
@@ -122,18 +124,28 @@ fn document(json: &[u8]) -> Result<Document, MeshError> {
         let what = "its JSON has too many objects or items";
         return Err(MeshError::new(what, "numbers in buffers, and fewer nodes"));
     }
-    let gltf = Gltf::from_slice(json).map_err(|error| match error {
-        gltf::Error::Deserialize(error) => {
-            let (line, column) = (error.line(), error.column());
-            let whole = error.to_string();
-            let why = whole.split(" at line ").next().unwrap_or_default();
-            let why: String = why.chars().take(200).collect();
-            MeshError::new(
-                format!("it is not glTF's JSON, at column {column}: {why}"),
-                "glTF 2.0 as modelling programs write it",
-            )
-            .at(line)
+    let root = Root::from_slice(json).map_err(|error| {
+        let (line, column) = (error.line(), error.column());
+        let whole = error.to_string();
+        let why = whole.split(" at line ").next().unwrap_or_default();
+        let why: String = why.chars().take(200).collect();
+        MeshError::new(
+            format!("it is not glTF's JSON, at column {column}: {why}"),
+            "glTF 2.0 as modelling programs write it",
+        )
+        .at(line)
+    })?;
+    // The library looks these up before it has found that they are there.
+    let positions = Checked::Valid(Semantic::Positions);
+    for primitive in root.meshes.iter().flat_map(|mesh| &mesh.primitives) {
+        let accessor = primitive.attributes.get(&positions);
+        if let Some(index) = accessor.filter(|it| it.value() >= root.accessors.len()) {
+            let (index, count) = (index.value(), root.accessors.len());
+            let what = format!("POSITION is accessor {index}, counted from 0, of {count}");
+            return Err(MeshError::new(what, "an accessor that is there"));
         }
+    }
+    Document::from_json(root).map_err(|error| match error {
         gltf::Error::Validation(errors) => {
             let first = errors.first();
             let what = first.map_or("it is not in order".into(), |(path, error)| {
@@ -143,8 +155,7 @@ fn document(json: &[u8]) -> Result<Document, MeshError> {
             MeshError::new(what, "glTF 2.0 without extensions that must be known")
         }
         error => MeshError::new(error.to_string(), "glTF 2.0 as modelling programs write it"),
-    })?;
-    Ok(gltf.document)
+    })
 }
 
 fn primitive_of(
