@@ -74,12 +74,6 @@ pub(crate) fn on_curve(here: Vec3, next: Vec3, part: f32, scale: f32) -> Birthpl
     }
 }
 
-/// Below `count`, each as often as any other but for one in 2^32.
-#[inline]
-pub(crate) fn index_below(word: u32, count: u32) -> u32 {
-    (u64::from(word) * u64::from(count) >> 32) as u32
-}
-
 /// A place in a triangle, uniform: a corner and the edges from it, with the normal in their w.
 #[inline]
 pub(crate) fn on_triangle(face: [[f32; 4]; 3], place: UVec4, scale: f32) -> Birthplace {

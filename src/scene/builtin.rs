@@ -28,6 +28,7 @@ macro_rules! builtin {
 
 /// Every built-in scene, by name.
 pub const BUILTIN: &[BuiltinScene] = builtin![
+    "ember-knot",
     "explosion",
     "explosion-lines",
     "fireworks",
@@ -41,7 +42,10 @@ pub const BUILTIN: &[BuiltinScene] = builtin![
 ];
 
 /// Files that built-in scenes name, by their paths.
-pub const BUILTIN_FILES: &[(&str, &[u8])] = &[];
+pub const BUILTIN_FILES: &[(&str, &[u8])] = &[(
+    "meshes/torus-knot.obj",
+    include_bytes!("../../scenes/meshes/torus-knot.obj"),
+)];
 
 /// Bytes of a scene file at most.
 const MAX_BYTES: u64 = 1 << 20;

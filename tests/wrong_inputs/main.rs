@@ -3,6 +3,7 @@
 //! be right; nothing is printed or left behind. All on the processor.
 
 mod commands;
+mod meshes;
 mod outputs;
 mod pipes;
 mod recordings;

@@ -57,15 +57,6 @@ fn on_curve(here: vec3<f32>, next: vec3<f32>, part: f32, scale: f32) -> Birthpla
     return Birthplace((here + step * part) * scale, normalize_exact(step));
 }
 
-// Below `count`, each as often as any other but for one in 2^32: the upper word of the product.
-fn index_below(word: u32, count: u32) -> u32 {
-    let low = (word & 0xffffu) * (count & 0xffffu);
-    let left = (word >> 16u) * (count & 0xffffu);
-    let right = (word & 0xffffu) * (count >> 16u);
-    let middle = (low >> 16u) + (left & 0xffffu) + (right & 0xffffu);
-    return (word >> 16u) * (count >> 16u) + (left >> 16u) + (right >> 16u) + (middle >> 16u);
-}
-
 // A place in a triangle, uniform: a corner and the edges from it, with the normal in their w.
 fn on_triangle(
     corner: vec4<f32>,

@@ -12,7 +12,7 @@
 
 #import motes::dispatch::linear_index
 #import motes::emission::{
-    Birthplace, axis_of, ejected, in_shape, index_below, mixed, on_curve, on_triangle, turned,
+    Birthplace, axis_of, ejected, in_shape, mixed, on_curve, on_triangle, turned,
 }
 #import motes::exact::{bits_of, f32_of_u32, normalize_exact, to_i32}
 #import motes::layout::{
@@ -20,7 +20,7 @@
     SystemRow,
 }
 #import motes::particle::{Identity, STREAM_MOMENT, STREAM_MOTION, STREAM_PLACE, draw, row_index}
-#import motes::rng::{signed_float, unit_float}
+#import motes::rng::{index_below, signed_float, unit_float}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 // Whether any system is born on a mesh.

@@ -3,7 +3,7 @@
 use glam::{UVec4, Vec3};
 
 use crate::cpu::emission::{
-    Birthplace, axis_of, ejected, in_shape, index_below, mixed, on_curve, on_triangle, turned,
+    Birthplace, axis_of, ejected, in_shape, mixed, on_curve, on_triangle, turned,
 };
 use crate::cpu::particle::{Identity, STREAM_MOMENT, STREAM_MOTION, STREAM_PLACE, draw};
 use crate::exact::{bits_of, f32_of_u32, normalize_exact, to_i32};
@@ -11,7 +11,7 @@ use crate::layout::{
     Particle, ROW_WITHIN_FRAME, SHAPE_CURVE, SHAPE_MESH, SYSTEM_PARABOLIC, SystemFrame, SystemRow,
 };
 use crate::plan::MeshTables;
-use crate::rng::{signed_float, unit_float};
+use crate::rng::{index_below, signed_float, unit_float};
 
 /// What stands in buffers and does not change in a run.
 #[derive(Clone, Copy, Debug)]
