@@ -22,6 +22,10 @@ pub(super) struct Request {
     pub(super) scene: Scene,
     pub(super) frames: Range<u32>,
     pub(super) target: OutputTarget,
+    /// Names of the layers that are written beside the frames; none unless they are asked for.
+    pub(super) layers: Vec<String>,
+    /// Frames whose particles are dumped.
+    pub(super) dumps: Vec<u32>,
     pub(super) dump_dir: PathBuf,
     pub(super) recording: Recording,
     /// The changes, each with the scene that holds from it on.
@@ -99,10 +103,28 @@ pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
         scene,
         frames,
         target,
+        layers,
+        dumps: args.dump.clone(),
         dump_dir,
         recording,
         turns,
     })
+}
+
+impl Request {
+    /// The files that a frame has to itself; the frames of an animation share one.
+    pub(super) fn files_of(&self, frame: u32) -> Vec<PathBuf> {
+        let layers = self.layers.iter();
+        let layers = layers.filter_map(|layer| self.target.layer_path(frame, layer));
+        let mut files: Vec<PathBuf> = layers.collect();
+        if !self.target.is_animation() {
+            files.push(self.target.frame_path(frame));
+        }
+        if self.dumps.contains(&frame) {
+            files.push(dump_path(&self.dump_dir, "particles", frame));
+        }
+        files
+    }
 }
 
 /// Refuses to write over files that are there and that this run has not `finished` before.
@@ -112,23 +134,12 @@ pub(super) fn refuse_to_replace(
     finished: &Finished,
 ) -> Result<(), CliError> {
     let target = &request.target;
-    let layers = if args.layers {
-        request.scene.layer_names()
-    } else {
-        Vec::new()
-    };
-    let of_frame = |frame: u32| {
-        let layers = layers.iter();
-        let layers = layers.filter_map(move |layer| target.layer_path(frame, layer));
-        layers.chain([target.frame_path(frame)])
-    };
-    let dump = |frame: &u32| dump_path(&request.dump_dir, "particles", *frame);
-    let is_new = |frame: &u32| target.is_animation() || !finished.has(*frame);
-    let frames = request.frames.clone().filter(is_new);
-    let dumps = args.dump.iter().filter(|frame| !finished.has(**frame));
-    let mut files = frames
-        .flat_map(of_frame)
-        .chain(dumps.map(dump))
+    let shared = target.is_animation().then(|| target.path());
+    let frames = request.frames.clone();
+    let new = frames.filter(|frame| !finished.has(*frame));
+    let mut files = shared
+        .into_iter()
+        .chain(new.flat_map(|frame| request.files_of(frame)))
         .chain(args.stats.clone());
     match files.find(|file| file.is_file()) {
         None => Ok(()),
