@@ -139,6 +139,32 @@ fn what_is_no_mesh_is_answered_with_the_key_and_the_file() {
 }
 
 #[test]
+fn meshes_are_not_written_over() {
+    let said = ["is a mesh of the scene, and would be written over"];
+    let points = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
+                  property float z\nelement face 1\nproperty list uchar int vertex_index\n\
+                  end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    let render = ["render", "w.toml", "--adapter", "cpu", "-o", "a.gif"];
+    let row = |more: &[&str], name: &'static str, text: &str| {
+        Row::new(&[&render[..], more].concat(), &said)
+            .file("w.toml", born_on(&format!("\"{name}\"")))
+            .file(name, text)
+    };
+    all_are_refused(&[
+        row(
+            &["--stats", "w.obj"],
+            "w.obj",
+            &format!("{SQUARE}f 1 2 3\n"),
+        ),
+        row(
+            &["--dump", "2", "--dump-dir", "."],
+            "particles-0002.ply",
+            points,
+        ),
+    ]);
+}
+
+#[test]
 fn paths_that_leave_the_scene_s_folder_are_answered_with_the_flag_that_lets_them() {
     let outside = |path: &str, why: &str| named(path, &[why, "--allow-outside"]);
     let set = "system.sparks.generation_shape={ kind = \"mesh\", mesh = \"../w.obj\" }";

@@ -66,11 +66,27 @@ pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
         refuse_folder("--stats", stats)?;
     }
     collisions::refuse(&target, &frames, &layers, stats, &args.dump, &dump_dir)?;
-    let inputs = [
+    let beside = Path::new(&args.scene).parent().unwrap_or(Path::new(""));
+    let meshes = scene.meshes();
+    let files = meshes.iter().filter(|mesh| mesh.name().contains('.'));
+    let files: Vec<PathBuf> = files.map(|mesh| beside.join(mesh.name())).collect();
+    let mut inputs = vec![
         ("the scene", Some(Path::new(&args.scene))),
         ("the recording (--inputs)", args.inputs.as_deref()),
     ];
-    collisions::refuse_inputs(&[Some(&target.path()), stats], &inputs)?;
+    inputs.extend(
+        files
+            .iter()
+            .map(|file| ("a mesh of the scene", Some(file.as_path()))),
+    );
+    let dumps = args.dump.iter();
+    let dumps: Vec<PathBuf> = dumps
+        .map(|frame| dump_path(&dump_dir, "particles", *frame))
+        .collect();
+    let target_path = target.path();
+    let mut outputs = vec![Some(&*target_path), stats];
+    outputs.extend(dumps.iter().map(|dump| Some(dump.as_path())));
+    collisions::refuse_inputs(&outputs, &inputs)?;
     if args.layers && target.layer_path(0, "").is_none() {
         return Err(CliError::usage(
             "--layers writes files beside those of the frames, and this output has none",
