@@ -94,6 +94,8 @@ shared_constants! {
     pub const SHAPE_LINE: u32 = 6;
     /// Born on a stored curve.
     pub const SHAPE_CURVE: u32 = 7;
+    /// Born on the stored faces of a mesh.
+    pub const SHAPE_MESH: u32 = 8;
     /// [`SystemRow::kinds`]`[1]`: drawn as a disc.
     pub const PARTICLE_SPHERE: u32 = 0;
     /// Drawn as a square.

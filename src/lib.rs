@@ -10,7 +10,9 @@
 //!
 //! Imports run one way, left to right. [`scene`] is what the user wrote, checked; [`scene::schema`] is
 //! the one table of its keys, from which come the reader's checks, the JSON Schema for editors, the
-//! reference page and the list of knobs ([`scene::knobs()`]). [`plan`] makes of
+//! reference page and the list of knobs ([`scene::knobs()`]). Files that a scene names lie in its
+//! folder, unless its loader ([`scene::Loader`]) lets it look further; surfaces among them are a
+//! [`mesh::Mesh`] each, which knows no scene. [`plan`] makes of
 //! it named buffers, the stages of a frame ([`plan::STAGES`]: reading the table is reading the
 //! frame) and, for any frame, one [`plan::FrameInputs`] with everything that reaches it from
 //! outside. Two backends run a plan: [`gpu`] expands each stage into WGSL kernels
@@ -98,6 +100,7 @@ pub mod exact;
 pub mod gpu;
 mod json;
 pub mod layout;
+pub mod mesh;
 pub mod noise;
 pub mod output;
 pub mod plan;

@@ -7,7 +7,7 @@
 use std::fmt::Write;
 
 use crate::plan::{self, Turn};
-use crate::scene::{self, SceneError, Set, shortened};
+use crate::scene::{Loader, SceneError, Set, shortened};
 
 /// The last frame that a scene can have.
 const MOST_FRAME: u32 = 1_000_000;
@@ -146,15 +146,28 @@ impl Recording {
     /// # Errors
     /// The first change that the scene refuses, or that alters what holds for a whole run.
     pub fn turns(&self, scene: &str, sets: &[String]) -> Result<Vec<Turn>, RefusedChange> {
-        let sets: Vec<Set> = sets.iter().map(|set| Set::argument(set)).collect();
-        self.turns_of("", "changes", scene, &sets)
+        self.turns_with(Loader::default(), scene, sets)
     }
 
-    /// As [`Recording::turns`], of the `text` of a file, which errors point into.
+    /// As [`Recording::turns`], with scenes loaded so.
+    ///
+    /// # Errors
+    /// As [`Recording::turns`].
+    pub fn turns_with(
+        &self,
+        loader: Loader,
+        scene: &str,
+        sets: &[String],
+    ) -> Result<Vec<Turn>, RefusedChange> {
+        let sets: Vec<Set> = sets.iter().map(|set| Set::argument(set)).collect();
+        self.turns_of(("", "changes"), loader, scene, &sets)
+    }
+
+    /// As [`Recording::turns_with`], of the text of a file, which errors point into.
     pub(crate) fn turns_of(
         &self,
-        text: &str,
-        file: &str,
+        (text, file): (&str, &str),
+        loader: Loader,
         scene: &str,
         sets: &[Set],
     ) -> Result<Vec<Turn>, RefusedChange> {
@@ -183,7 +196,9 @@ impl Recording {
             )
         };
         let lines: Vec<&str> = text.lines().collect();
-        let mut draft = scene::draft(scene, sets).map_err(|error| of_scene(first, error))?;
+        let mut draft = loader
+            .draft(scene, sets)
+            .map_err(|error| of_scene(first, error))?;
         let unchanged = draft.scene().map_err(|error| of_scene(first, error))?;
         for change in &self.changes {
             let written = format!("{} {}", change.frame, change.set);

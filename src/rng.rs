@@ -42,6 +42,12 @@ pub fn signed_float(word: u32) -> f32 {
     2.0 * unit_float(word) - 1.0
 }
 
+/// Below `count`, each as often as any other but for one in 2^32: the upper word of the product.
+#[inline]
+pub fn index_below(word: u32, count: u32) -> u32 {
+    ((u64::from(word) * u64::from(count)) >> 32) as u32
+}
+
 /// [`unit_float`] of each word.
 #[inline]
 pub fn unit4(words: UVec4) -> Vec4 {

@@ -49,6 +49,11 @@ fn longer() -> Scene {
     scene_with(&[("mean = 8, var = 3", "mean = 15, var = 3")])
 }
 
+fn on_mesh(mesh: &str) -> Scene {
+    let shape = format!("{{ kind = \"mesh\", mesh = \"{mesh}\" }}");
+    scene_with(&[("{ kind = \"sphere\", radius = 0.5 }", &shape)])
+}
+
 fn begun(on: &str, editable: bool, turns: Vec<Turn>) -> Simulation {
     let options = Options {
         adapter: AdapterChoice::parse(on),
@@ -125,6 +130,48 @@ fn turns_that_were_known_hold_after_one_that_was_not() {
 }
 
 #[test]
+fn a_turn_may_name_any_mesh_that_the_run_has() {
+    let turn = |frame, scene| Turn { frame, scene };
+    let all = vec![turn(5, on_mesh("torus")), turn(8, on_mesh("cube"))];
+    let expected = digests(&mut begun("cpu", false, all), 10);
+    let known = || vec![turn(8, on_mesh("cube")), turn(20, on_mesh("torus"))];
+    for on in ["cpu"]
+        .into_iter()
+        .map(str::to_owned)
+        .chain(common::adapters())
+    {
+        let mut simulation = begun(&on, true, known());
+        let mut got = digests(&mut simulation, 5);
+        simulation.turn(on_mesh("torus")).expect("it has it");
+        got.extend(digests(&mut simulation, 5));
+        assert!(got == expected, "{on}");
+    }
+}
+
+#[test]
+fn inputs_name_faces_that_are_there() {
+    let options = Options {
+        adapter: AdapterChoice::Cpu,
+        ..Options::default()
+    };
+    let mut simulation = Simulation::new(&on_mesh("cube"), &options).expect("it starts");
+    let inputs = simulation.plan().inputs(0);
+    for (first, count) in [
+        (0.0, 13.0),
+        (1.0, 12.0),
+        (-1.0, 12.0),
+        (0.0, 0.0),
+        (f32::NAN, 1.0),
+    ] {
+        let mut wrong = inputs.clone();
+        wrong.rows[0].shape[1..3].copy_from_slice(&[first, count]);
+        let error = message(simulation.step_with(wrong).expect_err("they are not there"));
+        assert!(error.contains("faces of meshes"), "{error}");
+    }
+    simulation.step_with(inputs).expect("they are there");
+}
+
+#[test]
 fn a_turn_without_room_is_refused_and_changes_nothing() {
     let plain = digests(&mut begun("cpu", false, Vec::new()), 10);
     for editable in [false, true] {
@@ -142,6 +189,12 @@ fn a_turn_without_room_is_refused_and_changes_nothing() {
             let error = refused(&mut simulation, much_else());
             assert!(error.contains("begin the run as one"), "{error}");
         }
+        let error = refused(&mut simulation, on_mesh("cube"));
+        let why = match editable {
+            false => "frame 5 uses what the run",
+            true => "frame 5 names a mesh, to be born on, that the run has not",
+        };
+        assert!(error.contains(why), "{error}");
         got.extend(digests(&mut simulation, 5));
         assert!(got == plain, "editable: {editable}");
     }

@@ -81,6 +81,14 @@ fn few_systems_are_the_same() {
 }
 
 #[test]
+fn births_on_meshes_are_the_same() {
+    let scene = born_on_meshes();
+    let plan = Plan::new(&scene, 4).expect("the scene can be planned");
+    assert!(plan.meshes.choices.len() > 1 << 16);
+    assert_twins(&plan, &frames_of(&plan, 4), &small_pages());
+}
+
+#[test]
 fn nothing_at_all_is_the_same() {
     let plan = everything_turning(&everything_within(1));
     let mut frames = frames_of(&plan, 4);

@@ -22,7 +22,7 @@ use crate::backend::BackendError;
 use crate::output::OutputError;
 use crate::plan::PlanError;
 use crate::recording::RecordingError;
-use crate::scene::SceneError;
+use crate::scene::{Scene, SceneError};
 use crate::simulation::SimulationError;
 
 /// A headless-first particle laboratory: the same bits on every driver.
@@ -98,6 +98,13 @@ macro_rules! note {
     }};
 }
 use note;
+
+/// Tells what was mended in a scene's files.
+fn tell_notes(scene: &Scene) {
+    for text in scene.notes() {
+        note!("motes: {text}");
+    }
+}
 
 impl From<SceneError> for CliError {
     fn from(error: SceneError) -> Self {

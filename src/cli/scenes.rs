@@ -1,9 +1,9 @@
 //! `motes scenes`: what is built in, and what can be changed in a scene.
 
-use super::{CliError, print};
+use super::{CliError, note, print};
 use crate::json::Json;
 use crate::scene::schema::Kind;
-use crate::scene::{BUILTIN, Knob, KnobValue, knobs, load};
+use crate::scene::{BUILTIN, BUILTIN_FILES, Knob, KnobValue, Loader, load};
 
 /// Columns of a terminal that nobody has widened.
 const COLUMNS: usize = 80;
@@ -11,12 +11,15 @@ const COLUMNS: usize = 80;
 /// Arguments of `motes scenes`.
 #[derive(Debug, clap::Args)]
 pub(super) struct ScenesArgs {
-    /// Print the TOML text of one scene, to start your own from
+    /// Print the TOML text of one scene, to start your own from, or a file that a scene reads
     #[arg(long, value_name = "SCENE")]
     show: Option<String>,
     /// List every number, flag and choice of a scene that `--set` can change
     #[arg(long, value_name = "SCENE", conflicts_with = "show")]
     knobs: Option<String>,
+    /// Let the scene of --knobs read files outside of its folder
+    #[arg(long, requires = "knobs")]
+    allow_outside: bool,
     /// Print the knobs as JSON
     #[arg(long, requires = "knobs")]
     json: bool,
@@ -24,7 +27,10 @@ pub(super) struct ScenesArgs {
 
 pub(super) fn run(args: &ScenesArgs) -> Result<u8, CliError> {
     if let Some(scene) = &args.knobs {
-        let knobs = knobs(scene)?;
+        let loader = Loader {
+            allow_outside: args.allow_outside,
+        };
+        let knobs = loader.knobs(scene)?;
         print(&if args.json {
             json(&knobs)
         } else {
@@ -33,6 +39,11 @@ pub(super) fn run(args: &ScenesArgs) -> Result<u8, CliError> {
         return Ok(0);
     }
     if let Some(name) = &args.show {
+        let mut files = BUILTIN_FILES.iter();
+        if let Some((_, bytes)) = files.find(|(file, _)| file == name) {
+            print(&String::from_utf8_lossy(bytes))?;
+            return Ok(0);
+        }
         // Loading first gives the message about the nearest names.
         load(name)?;
         let builtin = BUILTIN
@@ -51,6 +62,11 @@ pub(super) fn run(args: &ScenesArgs) -> Result<u8, CliError> {
         } else {
             builtin.text
         })?;
+        for (file, _) in BUILTIN_FILES {
+            if builtin.text.contains(file) {
+                note!("motes: it reads {file}, which --show {file} prints");
+            }
+        }
         return Ok(0);
     }
     let mut text = String::new();

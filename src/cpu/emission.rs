@@ -74,6 +74,23 @@ pub(crate) fn on_curve(here: Vec3, next: Vec3, part: f32, scale: f32) -> Birthpl
     }
 }
 
+/// A place in a triangle, uniform: a corner and the edges from it, with the normal in their w.
+#[inline]
+pub(crate) fn on_triangle(face: [[f32; 4]; 3], place: UVec4, scale: f32) -> Birthplace {
+    let [corner, to_next, to_last] = face.map(|row| Vec3::from_slice(&row));
+    let (u, v) = (unit_float(place.y), unit_float(place.z));
+    // The other half of the parallelogram is turned onto this one.
+    let (along, across) = if less(1.0, u + v) {
+        (1.0 - u, 1.0 - v)
+    } else {
+        (u, v)
+    };
+    Birthplace {
+        position: (corner + to_next * along + to_last * across) * scale,
+        axis: Vec3::from(face.map(|row| row[3])),
+    }
+}
+
 /// A unit vector within the ejection angle of the unit vector `axis`.
 #[inline]
 pub(crate) fn ejected(row: &SystemRow, axis: Vec3, motion: UVec4) -> Vec3 {

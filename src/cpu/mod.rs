@@ -15,11 +15,13 @@ pub(crate) mod sprite;
 pub mod systems;
 pub mod wind;
 
+use std::sync::Arc;
+
 use rayon::prelude::*;
 
 use crate::backend::{Backend, BackendError, available_bytes, try_copied, try_zeroed};
 use crate::layout::{Counts, FrameStats, Particle, SystemRow};
-use crate::plan::{FrameInputs, Plan, Stage};
+use crate::plan::{FrameInputs, MeshTables, Plan, Stage};
 use light::LightSums;
 use particle::{Identity, row_index};
 use particles::cull::{Fate, fate_of};
@@ -42,6 +44,7 @@ pub struct CpuBackend {
     /// For want of light, and out of bounds.
     deaths: [u32; 2],
     curve_points: Vec<[f32; 4]>,
+    meshes: Arc<MeshTables>,
     light: LightSums,
     image: Vec<u32>,
     statistics: Vec<FrameStats>,
@@ -78,6 +81,7 @@ impl CpuBackend {
             alive_bits: Vec::new(),
             deaths: [0; 2],
             curve_points: plan.curve_points.clone(),
+            meshes: Arc::clone(&plan.meshes),
             light: LightSums::new(plan.width, plan.height),
             image: try_zeroed(pixels, "pixels")?,
             statistics: Vec::new(),
@@ -132,7 +136,10 @@ impl CpuBackend {
     fn emit(&mut self, inputs: &FrameInputs) -> Result<(), BackendError> {
         let frame = &inputs.frame;
         let live = self.counts.live as usize;
-        let curve_points = &self.curve_points;
+        let stored = particles::emit::Stored {
+            curve_points: &self.curve_points,
+            meshes: &self.meshes,
+        };
         grow(&mut self.particles, self.counts.total as usize)?;
         for (slot, system) in inputs.systems.iter().enumerate() {
             let room = |offset: u32| offset.min(self.counts.born) as usize;
@@ -152,7 +159,7 @@ impl CpuBackend {
                         birth_frame: frame.frame,
                         index: index as u32,
                     };
-                    *newborn = particles::emit::emit(who, slot, system, &row, curve_points);
+                    *newborn = particles::emit::emit(who, slot, system, &row, stored);
                 });
         }
         Ok(())

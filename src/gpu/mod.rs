@@ -31,10 +31,11 @@ mod yardstick;
 mod yardstick_memory;
 
 use std::collections::{HashMap, VecDeque};
+use std::sync::Arc;
 
 use crate::backend::{Backend, BackendError, StageRecord};
 use crate::layout::FrameStats;
-use crate::plan::{FrameInputs, Plan, STAGES, Stage};
+use crate::plan::{FrameInputs, MeshTables, Plan, STAGES, Stage};
 use commands::Command;
 use kernel::Kernel;
 use memory::Memory;
@@ -70,6 +71,7 @@ pub struct GpuBackend {
     system_count: u32,
     row_count: u32,
     curve_points: Vec<[f32; 4]>,
+    meshes: Arc<MeshTables>,
     width: u32,
     height: u32,
     /// Which pool holds the particles.
@@ -171,6 +173,7 @@ impl GpuBackend {
             system_count: plan.system_count,
             row_count: plan.row_count,
             curve_points: plan.curve_points.clone(),
+            meshes: Arc::clone(&plan.meshes),
             width: plan.width,
             height: plan.height,
             current: 0,
@@ -186,6 +189,7 @@ impl GpuBackend {
                 backend.commands[current].insert(info.stage, list);
             }
         }
+        backend.upload_stored()?;
         if options.timed {
             backend.timer = Timer::new(gpu);
         }

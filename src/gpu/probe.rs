@@ -176,6 +176,7 @@ impl GpuBackend {
                 encoder.clear_buffer(buffer, 0, None);
             }
             run.gpu.queue.submit([encoder.finish()]);
+            run.upload_stored()?;
             run.current = 0;
             run.newborns_present = false;
             run.ring = StatisticsRing::default();

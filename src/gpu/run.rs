@@ -11,6 +11,18 @@ use crate::plan::{FrameInputs, Stage};
 const FRAMES_IN_FLIGHT: usize = 3;
 
 impl GpuBackend {
+    /// Uploads what does not change in a run.
+    pub(super) fn upload_stored(&self) -> Result<(), BackendError> {
+        for (name, bytes) in [
+            ("curve_points", bytemuck::cast_slice(&self.curve_points)),
+            ("mesh_faces", bytemuck::cast_slice(&self.meshes.faces)),
+            ("mesh_choices", bytemuck::cast_slice(&self.meshes.choices)),
+        ] {
+            self.gpu.write(self.memory.named(name)?, 0, bytes)?;
+        }
+        Ok(())
+    }
+
     pub(super) fn upload(&self, inputs: &FrameInputs) -> Result<(), BackendError> {
         let frame = Frame {
             page_len: self.memory.paging.page_len,
@@ -20,7 +32,6 @@ impl GpuBackend {
         for (name, bytes) in [
             ("frame", bytemuck::bytes_of(&frame)),
             ("system_frames", bytemuck::cast_slice(&inputs.systems)),
-            ("curve_points", bytemuck::cast_slice(&self.curve_points)),
             ("bounds", bytemuck::cast_slice(&inputs.bounds)),
             ("winds", bytemuck::cast_slice(&inputs.winds)),
             ("layer_planes", bytemuck::cast_slice(&inputs.layer_planes)),

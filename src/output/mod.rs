@@ -44,7 +44,7 @@ pub use exr::write_exr;
 pub(crate) use folder::{AtomicFolder, write_whole};
 pub use pattern::FramePattern;
 pub use picture::{LinearImage, Picture, PictureRef, Pixels, Rgba8Image};
-pub use ply::{ParticleRecord, dump_path, write_particles};
+pub use ply::{dump_path, write_particles};
 pub(crate) use png::read_png;
 pub use png::write_png;
 pub use sink::{FrameSink, Written};

@@ -3,30 +3,11 @@
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use bytemuck::{Pod, Zeroable};
-
 use super::OutputError;
 use super::atomic::AtomicFile;
+use crate::simulation::ParticleState;
 
-/// One particle of a dump, in world space; also its bytes in the file (40, no padding).
-#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
-#[repr(C)]
-pub struct ParticleRecord {
-    /// World position (`x y z`), in the scene's units of length.
-    pub position: [f32; 3],
-    /// World velocity (`vx vy vz`), in units of length a frame.
-    pub velocity: [f32; 3],
-    /// Frames since birth; 0 in the frame of birth.
-    pub age: u32,
-    /// Frames from birth to death by age.
-    pub lifetime: u32,
-    /// Number of the particle system it belongs to.
-    pub system: u32,
-    /// Who it is: the low 32 bits of the hash of its identity, the same in every frame of its life.
-    pub id: u32,
-}
-
-/// PLY's type and name of each property, in the order of the fields.
+/// PLY's type and name of each property, in the order of the fields of [`ParticleState`].
 const PROPERTIES: [&str; 10] = [
     "float x",
     "float y",
@@ -52,7 +33,7 @@ pub fn dump_path(dir: &Path, population: &str, frame_number: u32) -> PathBuf {
 ///
 /// # Errors
 /// The user's fault: a path that cannot be a file. The machine's: it cannot be written.
-pub fn write_particles(path: &Path, records: &[ParticleRecord]) -> Result<(), OutputError> {
+pub fn write_particles(path: &Path, records: &[ParticleState]) -> Result<(), OutputError> {
     let mut file = AtomicFile::create(path)?;
     let mut write = || {
         file.write_all(header(records.len()).as_bytes())?;

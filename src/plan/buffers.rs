@@ -32,6 +32,8 @@ pub enum Count {
     Rows,
     /// The stored points of curves.
     CurvePoints,
+    /// So many for each stored face of a mesh.
+    MeshFaces(u32),
     /// One for every so many particles of the capacity; the last may stand for fewer.
     ParticlesOver(u32),
     /// So many a pixel, for pixels in whole fours.
@@ -113,6 +115,8 @@ pub static BUFFERS: &[Buffer] = {
             Count::Fixed(Plan::MOST_LAYERS),
         ),
         buffer_of("curve_points", Input, "vec4<f32>", 16, Count::CurvePoints),
+        buffer_of("mesh_faces", Input, "vec4<f32>", 16, Count::MeshFaces(3)),
+        buffer_of("mesh_choices", Input, "vec2<u32>", 8, Count::MeshFaces(1)),
         buffer_of(
             "birth_counts",
             State,
@@ -194,6 +198,7 @@ impl Buffer {
             Count::Fixed(count) => count,
             Count::Systems { each, extra } => plan.system_count * each + extra,
             Count::CurvePoints => plan.curve_points.len() as u32,
+            Count::MeshFaces(each) => plan.meshes.choices.len() as u32 * each,
             Count::Rows => plan.system_count * plan.row_count,
             Count::ParticlesOver(each) => plan.capacity.div_ceil(each),
             Count::Pixels(each) => (plan.width * plan.height).next_multiple_of(4) * each,

@@ -20,11 +20,11 @@ pub(super) fn first_point(attractor: Attractor) -> u32 {
 
 /// The points of all attractors, if any scene is born on one; else a single unused one.
 pub(super) fn curve_points(scenes: &[&Scene]) -> Vec<[f32; 4]> {
-    let is_curve = |shape| matches!(shape, GenerationShape::Attractor { .. });
+    let is_curve = |shape: &GenerationShape| matches!(shape, GenerationShape::Attractor { .. });
     let systems = scenes.iter().flat_map(|scene| &scene.systems);
     if !systems
         .into_iter()
-        .any(|system| is_curve(system.generation_shape))
+        .any(|system| is_curve(&system.generation_shape))
     {
         return vec![[0.0; 4]];
     }

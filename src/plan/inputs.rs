@@ -60,10 +60,12 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
         layer_plane_count: layer_planes.len() as u32,
         ..plan.bounded(camera_frame(&now, &closing))
     };
+    let rows = now.systems.iter();
+    let rows = rows.map(|system| system_row(system, &plan.meshes));
     FrameInputs {
         frame,
         systems,
-        rows: now.systems.iter().map(system_row).collect(),
+        rows: rows.collect(),
         bounds,
         winds,
         layer_planes,

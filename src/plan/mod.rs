@@ -9,6 +9,7 @@ mod buffers;
 mod camera;
 mod curves;
 mod inputs;
+mod meshes;
 mod stages;
 mod system;
 mod turned;
@@ -17,8 +18,11 @@ mod wind;
 
 pub use buffers::{BUFFERS, Buffer, BufferRole, Count, buffer};
 pub use inputs::FrameInputs;
+pub use meshes::MeshTables;
 pub use stages::{STAGES, Stage, StageInfo};
 pub use uses::Uses;
+
+use std::sync::Arc;
 
 use crate::scene::{Scene, Track};
 
@@ -73,6 +77,8 @@ pub struct Plan {
     pub first_frame: i32,
     /// Points of the curves that particles are born on; w unused.
     pub curve_points: Vec<[f32; 4]>,
+    /// Faces of the meshes that particles are born on.
+    pub meshes: Arc<MeshTables>,
     /// The scene as it is from a frame on, in the order of these frames.
     variants: Vec<(i32, Scene)>,
 }
@@ -89,7 +95,7 @@ impl Plan {
     ///
     /// # Errors
     /// More particles than 10^9, or a bound too costly to find: the scene then has to name its
-    /// capacity. More than 4,096 bounds, or a run of more than 65,000 frames in which particles
+    /// capacity. More than 4,096 bounds or 2,796,202 faces of meshes, or a run of more than 65,000 frames in which particles
     /// live without limit.
     pub fn new(scene: &Scene, frame_end: u32) -> Result<Self, PlanError> {
         Self::with_turns(scene, &[], frame_end)
@@ -136,6 +142,7 @@ impl Plan {
             uses: Uses::default(),
             first_frame,
             curve_points: curves::curve_points(&scenes),
+            meshes: Arc::new(MeshTables::new(&scenes)?),
             variants,
         };
         plan.uses = plan.uses_of_all();

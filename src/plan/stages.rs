@@ -51,6 +51,8 @@ pub static STAGES: &[StageInfo] = &[
             "birth_offsets",
             "counts",
             "curve_points",
+            "mesh_faces",
+            "mesh_choices",
         ],
         writes: &["particles"],
         draws: false,

@@ -3,6 +3,7 @@
 use glam::{UVec4, Vec3};
 
 use super::curves::{CURVE_LEN, first_point};
+use super::meshes::MeshTables;
 use super::wind::wander;
 use crate::exact::{dot3, normalize_exact, snap};
 use crate::layout::{self, Bound, SystemFrame, SystemRow};
@@ -171,28 +172,36 @@ pub(super) fn system_frame(moments: &Moments, seed: u64, frame: i32) -> SystemFr
 
 /// The sphere around the system's generation shape, in world space.
 pub(super) fn bounding_sphere(system: &System) -> [f32; 4] {
-    // Half of a cone's height up its axis; all other shapes are centred.
-    let (height, radius) = match system.generation_shape {
+    // Half of a cone's height up its axis, and a mesh's own; all other shapes are centred.
+    let up = |height: f32| [0.0, 0.0, height];
+    let (local, radius) = match system.generation_shape {
         GenerationShape::Sphere { radius }
         | GenerationShape::Circle { radius }
-        | GenerationShape::Attractor { radius, .. } => (0.0, radius),
-        GenerationShape::Ring { outer_radius, .. } => (0.0, outer_radius),
-        GenerationShape::Rectangle { length, width } => (0.0, half_diagonal([length, width, 0.0])),
+        | GenerationShape::Attractor { radius, .. } => (up(0.0), radius),
+        GenerationShape::Ring { outer_radius, .. } => (up(0.0), outer_radius),
+        GenerationShape::Rectangle { length, width } => {
+            (up(0.0), half_diagonal([length, width, 0.0]))
+        }
         GenerationShape::Box {
             length,
             width,
             height,
-        } => (0.0, half_diagonal([length, width, height])),
-        GenerationShape::Line { length } => (0.0, 0.5 * length),
+        } => (up(0.0), half_diagonal([length, width, height])),
+        GenerationShape::Line { length } => (up(0.0), 0.5 * length),
         GenerationShape::Cone {
             height,
             angle_degrees,
         } => {
             let base = height * slope(angle_degrees);
-            (0.5 * height, half_diagonal([2.0 * base, 0.0, height]))
+            (up(0.5 * height), half_diagonal([2.0 * base, 0.0, height]))
+        }
+        GenerationShape::Mesh { ref mesh, scale } => {
+            let (center, radius) = mesh.bounding_sphere();
+            (center.map(|x| x * scale), radius * scale)
         }
     };
-    let center = pose(system).map(|row| row[3] + row[2] * height);
+    let [x, y, z] = local;
+    let center = pose(system).map(|row| row[3] + row[0] * x + row[1] * y + row[2] * z);
     [center[0], center[1], center[2], radius].map(snap)
 }
 
@@ -256,8 +265,8 @@ fn bound_of(extinction: &Extinction, pose: [[f32; 4]; 3]) -> Bound {
 }
 
 /// The row that newborns of the system keep for life; `system` is the system as it is then.
-pub(super) fn system_row(system: &System) -> SystemRow {
-    let (shape, extents) = shape_of(system.generation_shape);
+pub(super) fn system_row(system: &System, meshes: &MeshTables) -> SystemRow {
+    let (shape, extents) = shape_of(&system.generation_shape, meshes);
     let particle = match system.particle_shape {
         ParticleShape::Sphere => layout::PARTICLE_SPHERE,
         ParticleShape::Rectangle => layout::PARTICLE_RECTANGLE,
@@ -327,8 +336,8 @@ fn row_flags(system: &System) -> u32 {
 }
 
 /// The kind of a generation shape, and its extents as [`SystemRow::shape`] has them.
-fn shape_of(shape: GenerationShape) -> (u32, [f32; 4]) {
-    match shape {
+fn shape_of(shape: &GenerationShape, meshes: &MeshTables) -> (u32, [f32; 4]) {
+    match *shape {
         GenerationShape::Sphere { radius } => (layout::SHAPE_SPHERE, [radius, 0.0, 0.0, 0.0]),
         GenerationShape::Circle { radius } => (layout::SHAPE_CIRCLE, [radius, 0.0, 0.0, 0.0]),
         GenerationShape::Rectangle { length, width } => (
@@ -356,6 +365,12 @@ fn shape_of(shape: GenerationShape) -> (u32, [f32; 4]) {
             layout::SHAPE_CURVE,
             [radius, first_point(attractor) as f32, CURVE_LEN as f32, 0.0],
         ),
+        GenerationShape::Mesh { ref mesh, scale } => {
+            // Every mesh of the run is stored, and its numbers are far below 2^24.
+            let (first, count) = meshes.place_of(mesh).unwrap_or((0, 1));
+            let extents = [scale, first as f32, count as f32, 0.0];
+            (layout::SHAPE_MESH, extents)
+        }
     }
 }
 

@@ -1,5 +1,7 @@
 //! Turns that come while a plan is under way.
 
+use std::sync::Arc;
+
 use super::{Plan, PlanError, Turn, Uses};
 use crate::scene::Scene;
 
@@ -43,6 +45,7 @@ impl Plan {
         plan.row_count = self.row_count;
         plan.uses = self.uses;
         plan.first_frame = self.first_frame;
+        plan.meshes = Arc::clone(&self.meshes);
         Ok(plan)
     }
 
@@ -73,6 +76,12 @@ impl Plan {
         if plan.curve_points != self.curve_points {
             return refuse(
                 "names a curve, to be born on, that the run has not".into(),
+                begin_anew,
+            );
+        }
+        if !self.meshes.cover(&plan.meshes) {
+            return refuse(
+                "names a mesh, to be born on, that the run has not".into(),
                 begin_anew,
             );
         }

@@ -2,8 +2,8 @@
 
 use super::FrameInputs;
 use crate::layout::{
-    PARTICLE_RECTANGLE, PARTICLE_STREAK, SystemFrame, SystemRow, WIND_ATTRACTOR, WIND_CURL,
-    WIND_SOURCE, WIND_VORTEX, Wind,
+    PARTICLE_RECTANGLE, PARTICLE_STREAK, SHAPE_MESH, SystemFrame, SystemRow, WIND_ATTRACTOR,
+    WIND_CURL, WIND_SOURCE, WIND_VORTEX, Wind,
 };
 
 macro_rules! uses {
@@ -65,6 +65,8 @@ uses! {
     light_distances "LIGHT_DISTANCES";
     /// A picture of layers.
     layers "LAYERS";
+    /// Births on meshes.
+    meshes "MESHES";
 }
 
 impl Uses {
@@ -90,6 +92,7 @@ impl Uses {
             rate_spreads: varied || row.ejection_and_light[3] != 0.0,
             streaks: row.kinds[1] == PARTICLE_STREAK,
             rectangles: row.kinds[1] == PARTICLE_RECTANGLE,
+            meshes: row.kinds[0] == SHAPE_MESH,
             light_distances: row.ejection_and_light[2] > 0.0,
             ..Self::default()
         }

@@ -1,14 +1,12 @@
-//! The scenes that the program carries, and loading a scene by name or by path.
+//! The scenes that the program carries with their files, and the text of a scene by name or path.
 
 use std::borrow::Cow;
 use std::fs::File;
 use std::io::Read as _;
 use std::path::Path;
 
+use super::SceneError;
 use super::error::{nearest, shortened};
-use super::parse::Draft;
-use super::set::Set;
-use super::{Scene, SceneError};
 
 /// A scene that is part of the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,6 +33,7 @@ pub const BUILTIN: &[BuiltinScene] = builtin![
     "bench-points",
     "bench-streaks",
     "bench-wind-3",
+    "ember-knot",
     "explosion",
     "explosion-lines",
     "fireworks",
@@ -47,43 +46,14 @@ pub const BUILTIN: &[BuiltinScene] = builtin![
     "sparks-in-wind",
 ];
 
+/// Files that built-in scenes name, by their paths.
+pub const BUILTIN_FILES: &[(&str, &[u8])] = &[(
+    "meshes/torus-knot.obj",
+    include_bytes!("../../scenes/meshes/torus-knot.obj"),
+)];
+
 /// Bytes of a scene file at most.
 const MAX_BYTES: u64 = 1 << 20;
-
-/// Loads a scene: a file if `name_or_path` ends in `.toml` or has a slash in it, else a built-in
-/// scene. The scene's name is the built-in name or the file's stem.
-///
-/// # Errors
-/// If there is no such scene or file, the file cannot be read, is larger than 1 MiB or is not
-/// UTF-8, and as [`parse`](super::parse()).
-pub fn load(name_or_path: &str) -> Result<Scene, SceneError> {
-    load_with(name_or_path, &[])
-}
-
-/// [`load`], with values changed before they are checked.
-///
-/// Each of `sets` is `path.to.key=value`. The path's parts are keys, indices of arrays from 0, or
-/// names of systems and layers: `image.width`, `system.0.speed.mean`, `system.jet.speed.keys.1`.
-/// The value is TOML, or else a text that begins with a letter: `title=Fire`. It replaces whatever
-/// was there; later sets see what earlier ones did.
-///
-/// # Errors
-/// As [`load`]; and if a set has no `=`, no value, or a path that leads nowhere. An error that
-/// comes from a set shows that set in place of a line of the file.
-pub fn load_with(name_or_path: &str, sets: &[String]) -> Result<Scene, SceneError> {
-    let sets: Vec<Set> = sets.iter().map(|set| Set::argument(set)).collect();
-    draft(name_or_path, &sets)?.scene()
-}
-
-/// A scene as [`load`] has it, with these changes made and more to come.
-pub(crate) fn draft(name_or_path: &str, sets: &[Set]) -> Result<Draft, SceneError> {
-    let SceneText { text, file, name } = text_of(name_or_path)?;
-    let mut draft = Draft::new(&text, &file, &name)?;
-    for set in sets {
-        draft.set(set)?;
-    }
-    Ok(draft)
-}
 
 /// A scene's TOML.
 pub(super) struct SceneText {
@@ -94,7 +64,14 @@ pub(super) struct SceneText {
     pub(super) name: String,
 }
 
-/// The text of a scene by name or by path, as [`load`] has it.
+impl SceneText {
+    /// Whether the program carries it.
+    pub(super) fn is_builtin(&self) -> bool {
+        matches!(self.text, Cow::Borrowed(_))
+    }
+}
+
+/// The text of a scene by name or by path, as [`load`](super::load()) has it.
 pub(super) fn text_of(name_or_path: &str) -> Result<SceneText, SceneError> {
     if is_path(name_or_path) {
         return Ok(SceneText {

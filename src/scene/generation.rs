@@ -1,7 +1,11 @@
 //! Where particles are born and where they leave to (Reeves 1983, 2.2).
 
+use std::sync::Arc;
+
+use crate::mesh::Mesh;
+
 /// Where particles are born, in the system's space (Reeves 1983, 2.2).
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum GenerationShape {
     /// Uniform in a ball; particles leave outward from the origin.
     Sphere {
@@ -55,6 +59,13 @@ pub enum GenerationShape {
         /// From its centre to its farthest point, 0 ..= 1,000,000.
         radius: f32,
     },
+    /// Uniform on the faces of a mesh; particles leave along the normal of theirs.
+    Mesh {
+        /// The faces.
+        mesh: Arc<Mesh>,
+        /// World units a unit of the mesh's coordinates, 0 ..= 1,000.
+        scale: f32,
+    },
 }
 
 /// Chaotic systems with a shape.
@@ -73,7 +84,7 @@ pub enum Attractor {
 pub enum EjectionAxis {
     /// Local +z.
     Up,
-    /// From the origin; along the curve for an attractor.
+    /// From the origin; along the curve for an attractor, along the face's normal for a mesh.
     Outward,
     /// Around local +z; across the curve for an attractor.
     Around,

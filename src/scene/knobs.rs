@@ -2,10 +2,9 @@
 
 use std::rc::Rc;
 
-use super::builtin::{SceneText, text_of};
+use super::builtin::SceneText;
 use super::check::birth_keys;
 use super::expect::{kind_in_words, quoted};
-use super::parse::parse;
 use super::schema::{Field, Kind, Presence, SCENE, Variant};
 use super::tracks::is_animated;
 use super::tree::{self, Node, Source, Value};
@@ -38,15 +37,9 @@ pub enum KnobValue {
     None,
 }
 
-/// Every number, flag and choice of a scene that can be set by itself, in the order of the
-/// [`schema`](super::schema), of a scene by name or by path as [`load`](super::load) takes it.
-///
-/// # Errors
-/// As [`load`](super::load).
-pub fn knobs(name_or_path: &str) -> Result<Vec<Knob>, SceneError> {
-    let SceneText { text, file, name } = text_of(name_or_path)?;
-    // Only what is right has knobs to speak of.
-    parse(&text, &file, &name)?;
+/// The knobs of a scene that is right.
+pub(super) fn of_text(scene: SceneText) -> Result<Vec<Knob>, SceneError> {
+    let SceneText { text, file, .. } = scene;
     let source = Source {
         file,
         text: text.into_owned(),

@@ -13,8 +13,10 @@ mod check;
 mod error;
 mod expect;
 mod extinction;
+mod files;
 mod generation;
 mod knobs;
+mod load;
 mod parse;
 mod picture;
 mod read;
@@ -27,15 +29,18 @@ mod tree;
 mod values;
 mod wind;
 
+use std::sync::Arc;
+
+use crate::mesh::Mesh;
+
 pub use births::{BirthMoment, BirthRounding, BirthUnit, Births, Burst};
-pub(crate) use builtin::draft;
-pub use builtin::{BUILTIN, BuiltinScene, load, load_with};
+pub use builtin::{BUILTIN, BUILTIN_FILES, BuiltinScene};
 pub use error::SceneError;
 pub(crate) use error::shortened;
 pub use extinction::{Extinction, Side};
 pub use generation::{Attractor, EjectionAxis, EjectionSpread, GenerationShape};
-pub use knobs::{Knob, KnobValue, knobs};
-pub use parse::parse;
+pub use knobs::{Knob, KnobValue};
+pub use load::{Loader, knobs, load, load_with, parse};
 pub use picture::{Camera, Image, Layer, Projection, ShutterWeighting};
 pub(crate) use set::Set;
 pub use system::{Integration, Intensity, ParticleShape, ParticleSpace, StreakLight, System};
@@ -104,5 +109,29 @@ impl Scene {
             return vec!["particles".into()];
         }
         names.chain(["rest".into()]).collect()
+    }
+
+    /// The meshes that its systems are born on, each once.
+    pub fn meshes(&self) -> Vec<&Arc<Mesh>> {
+        let mut meshes: Vec<&Arc<Mesh>> = Vec::new();
+        for system in &self.systems {
+            if let GenerationShape::Mesh { mesh, .. } = &system.generation_shape
+                && !meshes.iter().any(|known| Arc::ptr_eq(known, mesh))
+            {
+                meshes.push(mesh);
+            }
+        }
+        meshes
+    }
+
+    /// What was mended in its files, a line each with the file's name.
+    pub fn notes(&self) -> Vec<String> {
+        let of = |mesh: &&Arc<Mesh>| {
+            let notes = mesh.notes().iter();
+            notes
+                .map(|note| format!("{}: {note}", mesh.name()))
+                .collect::<Vec<_>>()
+        };
+        self.meshes().iter().flat_map(of).collect()
     }
 }

@@ -1,6 +1,6 @@
 //! Whether inputs of the caller's making fit the plan.
 
-use crate::layout::{SHAPE_CURVE, SystemFrame, SystemRow};
+use crate::layout::{SHAPE_CURVE, SHAPE_MESH, SystemFrame, SystemRow};
 use crate::plan::{FrameInputs, Plan, PlanError};
 
 /// Whether lists of the caller's making are as long as the plan's, or as they can be.
@@ -43,6 +43,17 @@ pub(super) fn check_sizes(plan: &Plan, inputs: &FrameInputs) -> Result<(), PlanE
         return refuse(
             "a row names points of curves that the plan has not".into(),
             "give the plan a system that is born on that curve".into(),
+        );
+    }
+    let has_faces = |row: &SystemRow| {
+        let [_, first, count, _] = row.shape;
+        let stored = plan.meshes.choices.len() as f32;
+        row.kinds[0] != SHAPE_MESH || (first >= 0.0 && count >= 1.0 && first + count <= stored)
+    };
+    if !inputs.rows.iter().all(has_faces) {
+        return refuse(
+            "a row names faces of meshes that the plan has not".into(),
+            "give the plan a system that is born on that mesh".into(),
         );
     }
     Ok(())

@@ -1,5 +1,7 @@
 //! What comes back from a simulation: particles, statistics, digests.
 
+use bytemuck::{Pod, Zeroable};
+
 use super::lines::line_of;
 use super::{Line, Simulation, SimulationError};
 use crate::backend::BackendError;
@@ -9,14 +11,16 @@ use crate::exact::dot3;
 use crate::layout::{FrameStats, Particle, SYSTEM_PARABOLIC, SystemRow};
 use crate::plan::FrameInputs;
 
-/// A live particle, for people: world space, units a frame, frames.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A live particle, for people: world space, units a frame, frames. Its bytes are those of a
+/// record of a dump: 40, no padding.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
 pub struct ParticleState {
     /// World position.
     pub position: [f32; 3],
     /// World velocity, units a frame.
     pub velocity: [f32; 3],
-    /// Frames since birth.
+    /// Frames since birth; 0 in the frame of birth.
     pub age: u32,
     /// Frames it has been given in all.
     pub lifetime: u32,

@@ -3,6 +3,7 @@
 //! that a machine without a Vulkan driver passes too.
 
 mod failing;
+mod meshes;
 mod readme;
 mod refused;
 mod render;

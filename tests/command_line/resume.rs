@@ -279,6 +279,31 @@ fn another_run_is_not_gone_on_with() {
 
 #[cfg(unix)]
 #[test]
+fn a_run_with_another_mesh_is_another_run() {
+    let here = workshop();
+    let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    here.write("t.obj", triangle);
+    let set = "system.crowd.generation_shape={ kind = \"mesh\", mesh = \"t.obj\" }";
+    let arguments = render(&["-o", "all", "--set", set]);
+    let ended = stop(&here, &arguments, "-INT", Some("all/frame-0003.png"));
+    assert_eq!(ended.code, 130, "{}", ended.stderr);
+    let resumed = [&arguments[..], &["--resume"]].concat();
+    here.write("t.obj", triangle.replace("v 1 0 0", "v 1 0 0.001"));
+    let ended = here.run(&resumed);
+    assert_eq!(ended.code, 2, "{}", ended.stderr);
+    assert!(
+        ended.stderr.contains("is of another run"),
+        "{}",
+        ended.stderr
+    );
+    here.write("t.obj", triangle);
+    let ended = here.run(&resumed);
+    assert_eq!(ended.code, 0, "{}", ended.stderr);
+    assert!(ended.stderr.contains("going on after"), "{}", ended.stderr);
+}
+
+#[cfg(unix)]
+#[test]
 fn frames_that_have_been_lost_or_changed_meanwhile_are_made_again() {
     let output = ["-o", "all", "--stats", "s.csv"];
     let expected = whole(&output);

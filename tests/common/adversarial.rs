@@ -1,7 +1,7 @@
 //! Inputs that no scene would give: extreme, random, and legal for the backends all the same.
 
 use motes::exact::snap;
-use motes::layout::{Bound, SHAPE_CURVE, SystemFrame, SystemRow, Wind};
+use motes::layout::{Bound, SHAPE_CURVE, SHAPE_MESH, SystemFrame, SystemRow, Wind};
 use motes::plan::{FrameInputs, Plan, Turn};
 
 use super::{hash, scene_of};
@@ -70,6 +70,11 @@ pub(crate) fn adversarial(seed: u32, first: u32, count: u32) -> (Plan, Vec<Frame
     let systems = systems.replacen(
         "kind = \"sphere\", radius",
         "kind = \"attractor\", attractor = \"lorenz\", radius",
+        1,
+    );
+    let systems = systems.replacen(
+        "kind = \"sphere\", radius",
+        "kind = \"mesh\", mesh = \"cylinder\", scale",
         1,
     );
     let scene = scene_of(&format!(
@@ -199,8 +204,8 @@ fn wind(dice: &mut Dice) -> Wind {
 }
 
 fn system_row(dice: &mut Dice) -> SystemRow {
-    // 8 is none of the generation shapes, 3 none of the others.
-    let kinds = [dice.below(9), dice.below(4), dice.below(3), dice.word()];
+    // 9 is none of the generation shapes, 3 none of the others.
+    let kinds = [dice.below(10), dice.below(4), dice.below(3), dice.word()];
     let mut shape = [
         dice.magnitude(2.0, 1e6),
         dice.magnitude(2.0, 1e6),
@@ -211,6 +216,11 @@ fn system_row(dice: &mut Dice) -> SystemRow {
         // Points that are there: curves are the plan's, not the frame's.
         shape[1] = dice.below(8000) as f32;
         shape[2] = 4096.0;
+    }
+    if kinds[0] == SHAPE_MESH {
+        // The same holds of faces, of which a cylinder has 384.
+        shape[1] = dice.below(101) as f32;
+        shape[2] = 283.0;
     }
     SystemRow {
         shape,

@@ -9,7 +9,7 @@ use motes::exact::*;
 use motes::gpu::dispatch::dispatch_for;
 use motes::gpu::shader::{CompileOptions, CompiledKernel, ShaderError, compile_source};
 use motes::noise::noise;
-use motes::rng::{pcg4d, signed_float, signed4, unit_float, unit4};
+use motes::rng::{index_below, pcg4d, signed_float, signed4, unit_float, unit4};
 use motes::transcendental::*;
 
 use super::Arguments;
@@ -116,13 +116,16 @@ pub(crate) static PROBES: &[ProbeKernel] = &[
         ("bits(cube_root(abs(c)))", |r| bits(cube_root(r.c.abs()))),
     ] },
     ProbeKernel { name: "probe/integers", imports: "\
-        #import motes::rng::{pcg4d, unit_float, signed_float, unit4, signed4}\n\
+        #import motes::rng::{index_below, pcg4d, unit_float, signed_float, unit4, signed4}\n\
         #import motes::dispatch::{dispatch_for, linear_index}\n\
         #import motes::light::{light_of, steps_of}", libraries: &["motes::rng", "motes::dispatch", "motes::light"], probes: &[
         ("pcg4d(words).x", |r| pcg4d(r.words()).x),
         ("pcg4d(words).y", |r| pcg4d(r.words()).y),
         ("pcg4d(words).z", |r| pcg4d(r.words()).z),
         ("pcg4d(words).w", |r| pcg4d(r.words()).w),
+        ("index_below(i, w)", |r| index_below(r.i, r.w)),
+        // Where each carry counts.
+        ("index_below(~(i & 7u), ~(w & 7u))", |r| index_below(!(r.i & 7), !(r.w & 7))),
         ("bits(unit_float(i))", |r| bits(unit_float(r.i))),
         ("bits(signed_float(w))", |r| bits(signed_float(r.w))),
         ("bits(unit4(words).x)", |r| bits(unit4(r.words()).x)),

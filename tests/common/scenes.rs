@@ -1,7 +1,10 @@
 //! Scenes to test on: small, and made to reach every branch.
 
+use std::sync::Arc;
+
+use motes::mesh;
 use motes::plan::{FrameInputs, Plan, Turn};
-use motes::scene::{self, Scene, Spread, System};
+use motes::scene::{self, GenerationShape, Scene, Spread, System};
 
 /// One system of [`everything`] on its own cannot reach all branches; together they do:
 /// all generation and particle shapes, both kinds of streak light, both roundings, births that
@@ -427,4 +430,43 @@ particle_shape = "streak"
         "frames = 3\n[image]\nwidth = 62\nheight = 47\nshutter = 1\n[camera]\n\
          position = [0, 0, 4]\ntarget = [0, 0, 0]\n{systems}"
     ))
+}
+
+/// Births on meshes of few faces and of more than 65,536, whose areas differ, among births of
+/// other kinds; they leave along the normal, around the axis and upward.
+pub(crate) fn born_on_meshes() -> Scene {
+    let system = |name: &str, shape: &str, rest: &str| {
+        format!(
+            "[[system]]\nname = \"{name}\"\nposition = [0.1, -0.2, 0.3]\n\
+             rotation_degrees = [20, 35]\ninitial_mean_parts = 400\n\
+             generation_shape = {{ kind = {shape} }}\nspeed = {{ mean = 0.1, var = 0.05 }}\n\
+             lifetime = {{ mean = 3, var = 1 }}\ncolor = [0.1, 0.2, 0.3]\nsize = 0.02\n{rest}\n"
+        )
+    };
+    let mut scene = scene_of(&format!(
+        "frames = 4\n[image]\nwidth = 62\nheight = 47\n[camera]\nposition = [0, 0, 5]\n\
+         target = [0, 0, 0]\n{}{}{}{}{}",
+        system("cylinder", "\"mesh\", mesh = \"cylinder\", scale = 0.7", ""),
+        system("ball", "\"sphere\", radius = 1", ""),
+        system(
+            "many",
+            "\"mesh\", mesh = \"sphere\"",
+            "ejection_axis = \"around\"\nejection_angle_degrees = 15"
+        ),
+        system(
+            "cube",
+            "\"mesh\", mesh = \"cube\", scale = 1.3",
+            "ejection_axis = \"up\"\nbirth_moment = \"within_frame\""
+        ),
+        system(
+            "curve",
+            "\"attractor\", attractor = \"lorenz\", radius = 1",
+            ""
+        ),
+    ));
+    scene.systems[2].generation_shape = GenerationShape::Mesh {
+        mesh: Arc::new(mesh::sphere(1.5, 6).expect("its numbers are right")),
+        scale: 0.8,
+    };
+    scene
 }

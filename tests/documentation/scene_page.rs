@@ -89,7 +89,7 @@ fn every_scene_of_the_page_renders() {
         before = image;
     }
     let steps: Vec<u32> = states.iter().map(|(step, _)| *step).collect();
-    assert_eq!([steps[0], *steps.last().expect("a step")], [1, 7]);
+    assert_eq!([steps[0], *steps.last().expect("a step")], [1, 8]);
     let layers = scene(&states.last().expect("a step").1, &[]).layer_names();
     assert_eq!(layers, ["far", "rest"], "the page names the files");
 }

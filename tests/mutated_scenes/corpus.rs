@@ -26,7 +26,7 @@ pub(crate) fn corpus() -> Vec<String> {
             texts.extend([piece.to_owned(), format!("{HEAD}{piece}")]);
         }
     }
-    texts.retain(|text| parse(text, "corpus", "corpus").is_ok());
+    texts.retain(|text| parse(text, "scenes/corpus", "corpus").is_ok());
     assert!(texts.len() > BUILTIN.len() + 5, "{} scenes", texts.len());
     texts
 }

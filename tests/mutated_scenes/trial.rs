@@ -53,7 +53,7 @@ pub(crate) fn run(text: &str, number: u64) -> Done {
 }
 
 fn outcome(text: &str, number: u64) -> Outcome {
-    let scene = match parse(text, "mutant.toml", "mutant") {
+    let scene = match parse(text, "scenes/mutant.toml", "mutant") {
         Ok(scene) => scene,
         Err(error) => {
             let shown = error.to_string();

@@ -98,6 +98,7 @@ static EXPLAINED: &[Explanation] = &[
     ("lib/sprite", "sprite_of: features.spread_rates -> member light_distances", "kernels that leave out nothing have all features"),
     ("lib/sprite", "sprite_of: features.light_distances -> member streaks", "kernels that leave out nothing have all features"),
     ("particles/advance", "advance: (at >= frame.page_len) -> Greater", "the first particle of the next page, whose own dispatch writes it again"),
+    ("particles/emit", "birthplace: (place.3 < choice.0) -> LessEqual", "one draw of a face in 2^32"),
     ("particles/emit", "slot_of_birth: 1u -> 0u in ((high - low) > 1u)", "goes on when the slot is found, without changing it, until the bound on loops"),
     ("particles/emit", "slot_of_birth: ((high - low) > 1u) -> GreaterEqual", "goes on when the slot is found, without changing it, until the bound on loops"),
     ("particles/emit", "slot_of_birth: (high - low) -> Add", "goes on when the slot is found, without changing it, until the bound on loops"),

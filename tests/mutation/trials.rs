@@ -270,6 +270,7 @@ pub(crate) fn trials() -> Vec<Trial> {
         ),
         // Workgroups that no page is a multiple of, and words of bits without room to spare.
         Trial::new("dropped", turning(&everything_within(2560), 6), 24, SMALL),
+        Trial::undrawn("meshes", unchanging(&born_on_meshes(), 2), 64, LARGE),
         Trial::new("extreme at 65,536", adversarial(1, 65_531, 8), 64, LARGE),
         Trial::new("extreme at 256", adversarial(2, 252, 8), 64, LARGE),
         Trial::new("one system", few_systems(1, 1), 64, LARGE),

@@ -4,9 +4,9 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
 use motes::output::{
-    FrameSink, Measured, OutputError, ParticleRecord, StatsRow, StatsWriter, write_particles,
-    write_png,
+    FrameSink, Measured, OutputError, StatsRow, StatsWriter, write_particles, write_png,
 };
+use motes::simulation::ParticleState;
 
 use crate::gif::{see_gif, write_gif};
 use crate::{decode_png, error, glow, image, names_in, rgb, set, target};
@@ -161,7 +161,7 @@ fn write_where_files_may_not_grow() {
     let Some(folder) = std::env::var_os(CRAMPED_FOLDER).map(PathBuf::from) else {
         return;
     };
-    let record = ParticleRecord {
+    let record = ParticleState {
         position: [0.0; 3],
         velocity: [0.0; 3],
         age: 0,

@@ -2,9 +2,8 @@
 
 use std::fs;
 
-use motes::output::{
-    Measured, ParticleCounts, ParticleRecord, StatsRow, StatsWriter, dump_path, write_particles,
-};
+use motes::output::{Measured, ParticleCounts, StatsRow, StatsWriter, dump_path, write_particles};
+use motes::simulation::ParticleState;
 
 use crate::{names_in, set};
 
@@ -13,7 +12,7 @@ fn ply_reads_back() {
     let dir = tempfile::tempdir().unwrap();
     // More than one buffer's worth.
     let records: Vec<_> = (0..10_000_u32)
-        .map(|i| ParticleRecord {
+        .map(|i| ParticleState {
             position: [i as f32, -0.5, f32::MIN_POSITIVE],
             velocity: [1.0 / (i + 1) as f32, 3e30, -0.0],
             age: i % 50,
@@ -55,7 +54,7 @@ fn ply_reads_back() {
         let uint = |i: usize| u32::from_le_bytes(vertex[i]);
         assert_eq!([0, 1, 2].map(float), record.position.map(f32::to_bits));
         assert_eq!([3, 4, 5].map(float), record.velocity.map(f32::to_bits));
-        let ParticleRecord {
+        let ParticleState {
             age,
             lifetime,
             system,

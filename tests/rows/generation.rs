@@ -212,6 +212,11 @@ fn r6_the_sphere_is_around_what_is_born() {
             (6.0f64 * 6.0 + 12.0 * 12.0).sqrt(),
             6.0,
         ),
+        (
+            "{ kind = \"mesh\", mesh = \"cylinder\", scale = 3 }",
+            18f64.sqrt(),
+            0.0,
+        ),
     ];
     let systems: Vec<String> = shapes
         .iter()

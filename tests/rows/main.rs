@@ -18,6 +18,7 @@ mod keyed;
 mod kills;
 mod layers;
 mod light;
+mod meshes;
 mod motion;
 mod order;
 mod places;

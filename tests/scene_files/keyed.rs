@@ -62,6 +62,7 @@ pub(crate) const CHANGING: &[(&str, &str, &str, &str)] = &[
     ("generation_shape.cone", "height", "0", "1"),
     ("generation_shape.line", "length", "0", "1"),
     ("generation_shape.attractor", "radius", "0", "1"),
+    ("generation_shape.mesh", "scale", "0", "1"),
 ];
 
 /// The same values as plain scenes and as one with keys at frames 2 and 7.

@@ -134,6 +134,8 @@ pub(crate) const KEYS: &[(&str, &str, &str, &str, &str)] = &[
     ("generation_shape.line", "length", "{}", "-1", "from 0 to 1_000_000"),
     ("generation_shape.attractor", "attractor", "1", "\"lorentz\"", "\"lorenz\", \"rossler\", \"halvorsen\""),
     ("generation_shape.attractor", "radius", "[1]", "-1", "from 0 to 1_000_000"),
+    ("generation_shape.mesh", "mesh", "1", r#""two\nlines""#, "at most 1000 characters in one line"),
+    ("generation_shape.mesh", "scale", "[1]", "-1", "from 0 to 1000"),
 ];
 
 fn keys_of(section: &str, fields: &[Field], keys: &mut BTreeSet<(String, String)>) {

@@ -1,5 +1,8 @@
 //! Every kind of shape and wind, and every word, is read as what it says.
 
+use std::sync::Arc;
+
+use motes::mesh;
 use motes::scene::{
     Attractor, BirthMoment, BirthRounding, EjectionAxis, EjectionSpread, Extinction,
     GenerationShape, Integration, Intensity, ParticleShape, ParticleSpace, Projection,
@@ -104,20 +107,30 @@ fn every_shape_is_read_with_the_axis_that_goes_with_it() {
         ("kind = 'attractor', attractor = 'rossler', radius = 6", attractor(Attractor::Rossler), EjectionAxis::Outward),
         ("kind = 'attractor', attractor = 'halvorsen', radius = 6", attractor(Attractor::Halvorsen), EjectionAxis::Outward),
     ];
-    for (toml, shape, axis) in cases {
+    let mesh = mesh::builtin("torus").expect("it is built in");
+    let mesh = Shape::Mesh {
+        mesh: Arc::new(mesh.expect("it is right")),
+        scale: 3.0,
+    };
+    let mesh = (
+        "kind = 'mesh', mesh = 'torus', scale = 3",
+        mesh,
+        EjectionAxis::Outward,
+    );
+    for (toml, shape, axis) in cases.into_iter().chain([mesh]) {
         let toml = format!("{{ {toml} }}");
         let text = MINIMAL.replace("{ kind = \"sphere\", radius = 1 }", &toml);
         let system = &accepted(&text).systems[0];
         assert_eq!(
-            (system.generation_shape, system.ejection_axis),
-            (shape, axis),
+            (system.generation_shape.clone(), system.ejection_axis),
+            (shape.clone(), axis),
             "{toml}"
         );
         // What is written counts whatever the shape.
         let system = &accepted(&with("system", "generation_shape", &toml)).systems[0];
         let axis = EjectionAxis::Around;
         assert_eq!(
-            (system.generation_shape, system.ejection_axis),
+            (system.generation_shape.clone(), system.ejection_axis),
             (shape, axis),
             "{toml}"
         );

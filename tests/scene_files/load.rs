@@ -100,7 +100,7 @@ fn large_and_garbled_files_are_refused() {
 fn an_error_reads_like_this() {
     let wanted = "\
 error: `camera.up.1` is out of range: -2000000
-  --> folder/some.toml:18:10
+  --> scenes/some.toml:18:10
    |
 18 | up = [0, -2e6, 0]
    |          ^^^^
@@ -111,7 +111,7 @@ error: `camera.up.1` is out of range: -2000000
     assert!(far.message().ends_with("is out of range: 1e300"), "{far}");
     let not_toml = parse("title = \"x\"\nframes 12\n", FILE, "s").expect_err("not TOML");
     assert!(
-        not_toml.to_string().contains("--> folder/some.toml:2:"),
+        not_toml.to_string().contains("--> scenes/some.toml:2:"),
         "{not_toml}"
     );
     assert!(not_toml.to_string().contains("frames 12"), "{not_toml}");

@@ -137,7 +137,8 @@ fn only_what_is_required_must_be_written() {
     }
     // Each kind of shape has keys of its own, and each shape a kind.
     for shape in schema::GENERATION_SHAPES {
-        for left_out in shape.fields {
+        let required = |field: &&Field| matches!(field.presence, Presence::Required(_));
+        for left_out in shape.fields.iter().filter(required) {
             let others = shape
                 .fields
                 .iter()

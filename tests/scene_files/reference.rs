@@ -75,7 +75,7 @@ fn the_examples_of_the_reference_page_are_right() {
         kinds += scene.winds.len() + system.extinctions.len();
         kinds += usize::from(block.starts_with("generation_shape"));
     }
-    assert_eq!(kinds, 8 + 4 + 9, "each kind has an example");
+    assert_eq!(kinds, 9 + 4 + 9, "each kind has an example");
 }
 
 #[test]

@@ -181,7 +181,8 @@ fn r11_schema_has_mean_and_var_for_all_seven_attributes() {
             "box",
             "cone",
             "line",
-            "attractor"
+            "attractor",
+            "mesh"
         ]
     );
     assert!(matches!(

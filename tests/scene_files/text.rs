@@ -4,7 +4,7 @@ use motes::scene::schema::{self, Field};
 use motes::scene::{Scene, SceneError, parse};
 
 /// What the tests call the file.
-pub(crate) const FILE: &str = "folder/some.toml";
+pub(crate) const FILE: &str = "scenes/some.toml";
 
 /// The least that is a scene.
 pub(crate) const MINIMAL: &str = r#"

@@ -4,6 +4,7 @@
 
 mod benches;
 mod commands;
+mod meshes;
 mod outputs;
 mod pipes;
 mod recordings;

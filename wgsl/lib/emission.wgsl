@@ -57,6 +57,26 @@ fn on_curve(here: vec3<f32>, next: vec3<f32>, part: f32, scale: f32) -> Birthpla
     return Birthplace((here + step * part) * scale, normalize_exact(step));
 }
 
+// A place in a triangle, uniform: a corner and the edges from it, with the normal in their w.
+fn on_triangle(
+    corner: vec4<f32>,
+    to_next: vec4<f32>,
+    to_last: vec4<f32>,
+    place: vec4<u32>,
+    scale: f32,
+) -> Birthplace {
+    let u = unit_float(place.y);
+    let v = unit_float(place.z);
+    // The other half of the parallelogram is turned onto this one.
+    let is_beyond = less(1.0f, u + v);
+    let along = select(u, 1.0f - u, is_beyond);
+    let across = select(v, 1.0f - v, is_beyond);
+    return Birthplace(
+        (corner.xyz + to_next.xyz * along + to_last.xyz * across) * scale,
+        vec3<f32>(corner.w, to_next.w, to_last.w),
+    );
+}
+
 // A unit vector within the ejection angle of the unit vector `axis`.
 fn ejected(row: SystemRow, axis: vec3<f32>, motion: vec4<u32>) -> vec3<f32> {
     let limits = row.ejection_and_light;

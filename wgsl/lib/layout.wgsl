@@ -40,6 +40,7 @@ const SHAPE_BOX: u32 = 4u;
 const SHAPE_CONE: u32 = 5u;
 const SHAPE_LINE: u32 = 6u;
 const SHAPE_CURVE: u32 = 7u;
+const SHAPE_MESH: u32 = 8u;
 // SystemRow.kinds.y: what they look like.
 const PARTICLE_SPHERE: u32 = 0u;
 const PARTICLE_RECTANGLE: u32 = 1u;

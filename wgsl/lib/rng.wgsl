@@ -34,6 +34,15 @@ fn signed_float(word: u32) -> f32 {
     return 2.0f * unit_float(word) - 1.0f;
 }
 
+// Below `count`, each as often as any other but for one in 2^32: the upper word of the product.
+fn index_below(word: u32, count: u32) -> u32 {
+    let low = (word & 0xffffu) * (count & 0xffffu);
+    let left = (word >> 16u) * (count & 0xffffu);
+    let right = (word & 0xffffu) * (count >> 16u);
+    let middle = (low >> 16u) + (left & 0xffffu) + (right & 0xffffu);
+    return (word >> 16u) * (count >> 16u) + (left >> 16u) + (right >> 16u) + (middle >> 16u);
+}
+
 // unit_float of each word.
 fn unit4(words: vec4<u32>) -> vec4f {
     return vec4f(unit_float(words.x), unit_float(words.y), unit_float(words.z), unit_float(words.w));

@@ -4,21 +4,27 @@
 // axis, and a speed. Those of a
 // moving system that are spread over the frame begin where it was at their moment, and have gone
 // on since.
-// One invocation a newborn. Reads: frame, system_frames, rows, birth_offsets, counts, curve_points.
+// One invocation a newborn. Reads: frame, system_frames, rows, birth_offsets, counts, curve_points,
+// mesh_faces, mesh_choices.
 // Writes: particles [counts.live, counts.total) as far as they fall in the page.
 // Invariant: every attribute is a hash of the newborn's identity, so nothing depends on where or
 // in which order it is stored.
 
 #import motes::dispatch::linear_index
-#import motes::emission::{Birthplace, axis_of, ejected, in_shape, mixed, on_curve, turned}
+#import motes::emission::{
+    Birthplace, axis_of, ejected, in_shape, mixed, on_curve, on_triangle, turned,
+}
 #import motes::exact::{bits_of, f32_of_u32, normalize_exact, to_i32}
 #import motes::layout::{
-    Counts, Frame, Particle, ROW_WITHIN_FRAME, SHAPE_CURVE, SYSTEM_PARABOLIC, SystemFrame, SystemRow,
+    Counts, Frame, Particle, ROW_WITHIN_FRAME, SHAPE_CURVE, SHAPE_MESH, SYSTEM_PARABOLIC, SystemFrame,
+    SystemRow,
 }
 #import motes::particle::{Identity, STREAM_MOMENT, STREAM_MOTION, STREAM_PLACE, draw, row_index}
-#import motes::rng::{signed_float, unit_float}
+#import motes::rng::{index_below, signed_float, unit_float}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
+// Whether any system is born on a mesh.
+const MESHES: bool = #{MESHES};
 
 struct Pages {
     page: u32,
@@ -32,6 +38,8 @@ var<immediate> pages: Pages;
 @group(0) @binding(4) var<storage, read> counts: Counts;
 @group(0) @binding(5) var<storage, read_write> particles: array<Particle>;
 @group(0) @binding(6) var<storage, read> curve_points: array<vec4<f32>>;
+@group(0) @binding(7) var<storage, read> mesh_faces: array<vec4<f32>>;
+@group(0) @binding(8) var<storage, read> mesh_choices: array<vec2<u32>>;
 
 // The system whose births contain the frame's newborn `birth`: the last that begins at or before.
 fn slot_of_birth(birth: u32) -> u32 {
@@ -55,6 +63,15 @@ fn birthplace(row: SystemRow, place: vec4<u32>) -> Birthplace {
         let first = u32(to_i32(row.shape.y)) + before;
         let part = along - f32_of_u32(before);
         return on_curve(curve_points[first].xyz, curve_points[first + 1u].xyz, part, row.shape.x);
+    }
+    if MESHES && row.kinds.x == SHAPE_MESH {
+        let drawn = u32(to_i32(row.shape.y)) + index_below(place.x, u32(to_i32(row.shape.z)));
+        // A share of the draws of a small face goes to a large one (Walker 1977).
+        let choice = mesh_choices[drawn];
+        let at = 3u * select(choice.y, drawn, place.w < choice.x);
+        return on_triangle(
+            mesh_faces[at], mesh_faces[at + 1u], mesh_faces[at + 2u], place, row.shape.x,
+        );
     }
     return in_shape(row, place);
 }

@@ -13,7 +13,7 @@ use super::{CliError, note, print, progress_bar};
 use crate::check::{self, CompareOptions, Outcome, SavedFor, compare, default_frames, shrunk};
 use crate::output::write_whole;
 use crate::plan::Plan;
-use crate::scene::{self, BUILTIN};
+use crate::scene::{BUILTIN, Loader};
 use side::Side;
 
 /// Arguments of `motes check`.
@@ -34,6 +34,9 @@ pub(super) struct CheckArgs {
     /// Scenes as they are; without it, at most 320x180 and about 20,000 particles
     #[arg(long)]
     full: bool,
+    /// Let scenes read files outside of their folders
+    #[arg(long)]
+    allow_outside: bool,
     /// Save what differs in a folder here: kernels, inputs, expected and got
     #[arg(long, value_name = "DIR")]
     save: Option<PathBuf>,
@@ -159,10 +162,14 @@ fn jobs(args: &CheckArgs) -> Result<Vec<Job>, CliError> {
     } else {
         args.scenes.clone()
     };
+    let loader = Loader {
+        allow_outside: args.allow_outside,
+    };
     asked
         .into_iter()
         .map(|asked| {
-            let mut scene = scene::load(&asked)?;
+            let mut scene = loader.load(&asked)?;
+            super::tell_notes(&scene);
             let all = if args.full {
                 scene.frames
             } else {
@@ -281,8 +288,12 @@ fn line(scene: &str, outcome: &Outcome) -> String {
 /// The command that checks this scene again.
 fn command(args: &CheckArgs, job: &Job) -> String {
     let full = if args.full { " --full" } else { "" };
+    let outside = match args.allow_outside {
+        true => " --allow-outside",
+        false => "",
+    };
     format!(
-        "motes check '{}' --frames {} --adapter '{}' --against '{}'{full}",
+        "motes check '{}' --frames {} --adapter '{}' --against '{}'{full}{outside}",
         job.asked, job.frames, args.adapter, args.against
     )
 }

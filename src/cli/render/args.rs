@@ -3,6 +3,8 @@
 use std::ops::Range;
 use std::path::PathBuf;
 
+use crate::scene::Loader;
+
 /// Arguments of `motes render`.
 #[derive(Debug, clap::Args)]
 pub(in crate::cli) struct RenderArgs {
@@ -45,6 +47,9 @@ pub(in crate::cli) struct RenderArgs {
     /// Change a key of the scene, e.g. camera.vertical_fov_degrees=30
     #[arg(long, value_name = "path.to.key=value")]
     pub(super) set: Vec<String>,
+    /// Let the scene read files outside of its folder
+    #[arg(long)]
+    pub(super) allow_outside: bool,
     /// Replay changes: lines of `FRAME path.to.key=value`
     #[arg(long, value_name = "FILE")]
     pub(super) inputs: Option<PathBuf>,
@@ -59,6 +64,15 @@ pub(in crate::cli) struct RenderArgs {
     /// limit or births are dropped
     #[arg(long, value_name = "SECS", default_value_t = 30.0, value_parser = parse_secs, allow_hyphen_values = true)]
     pub(super) snapshot_every: f64,
+}
+
+impl RenderArgs {
+    /// How the scene is loaded.
+    pub(super) fn loader(&self) -> Loader {
+        Loader {
+            allow_outside: self.allow_outside,
+        }
+    }
 }
 
 fn parse_secs(text: &str) -> Result<f64, String> {

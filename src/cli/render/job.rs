@@ -1,20 +1,18 @@
 //! What is written while frames go by.
 
-use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use super::frame::{picture_of, rows_of};
 use super::journal::{Finished, Journal};
+use super::request::Request;
 use super::summary::Summary;
 use crate::backend::BackendError;
 use crate::cli::interrupt::Interrupt;
 use crate::cli::{CliError, note, progress_bar};
 use crate::output::{
-    Drawing, FrameSink, OutputTarget, ParticleRecord, Picture, StatsWriter, Written, dump_path,
-    write_particles, write_svg,
+    Drawing, FrameSink, Picture, StatsWriter, Written, dump_path, write_particles, write_svg,
 };
-use crate::scene::Scene;
 use crate::simulation::{Simulation, SimulationError};
 
 /// Steps between two looks at the statistics: less than half of their ring, so that none are lost
@@ -37,13 +35,9 @@ pub(super) enum Pictures {
 /// What is written while frames go by.
 pub(super) struct Job<'a> {
     pub(super) pictures: Pictures,
-    /// The output.
-    pub(super) target: &'a OutputTarget,
-    /// Names of the layers that are written beside the frames.
-    pub(super) layers: Vec<String>,
+    /// What is asked for.
+    pub(super) request: &'a Request,
     pub(super) stats: Option<StatsWriter>,
-    pub(super) dumps: &'a [u32],
-    pub(super) dump_dir: &'a Path,
     pub(super) journal: Option<Journal>,
     /// Time between two snapshots in the journal.
     pub(super) snapshot_every: Duration,
@@ -54,26 +48,14 @@ pub(super) struct Job<'a> {
 
 impl Job<'_> {
     /// Renders the frames that are not `finished` yet.
-    pub(super) fn run(
+    pub(super) fn render(
         &mut self,
         simulation: &mut Simulation,
-        scene: &Scene,
-        frames: &Range<u32>,
         finished: &Finished,
     ) -> Result<Summary, CliError> {
-        let done = self.render(simulation, scene, frames, finished);
-        done.map_err(|error| self.told(error))
-    }
-
-    fn render(
-        &mut self,
-        simulation: &mut Simulation,
-        scene: &Scene,
-        frames: &Range<u32>,
-        finished: &Finished,
-    ) -> Result<Summary, CliError> {
+        let frames = &self.request.frames;
         let mut summary = Summary::default();
-        let next = self.take_over(frames, finished, &mut summary)?;
+        let next = self.take_over(finished, &mut summary)?;
         if next == frames.end || summary.stopped.is_some() {
             return Ok(summary);
         }
@@ -96,7 +78,7 @@ impl Job<'_> {
             }
             let drawn = frame >= next as i32;
             if drawn {
-                self.frame(simulation, scene, frame.cast_unsigned(), &mut summary)?;
+                self.frame(simulation, frame.cast_unsigned(), &mut summary)?;
             } else if frame % STATISTICS_STEPS == 0 {
                 summary.count(&simulation.take_statistics()?);
             }
@@ -142,22 +124,21 @@ impl Job<'_> {
     }
 
     /// Takes over what a stopped run had finished; the first frame that is left to do.
-    fn take_over(
-        &mut self,
-        frames: &Range<u32>,
-        finished: &Finished,
-        summary: &mut Summary,
-    ) -> Result<u32, CliError> {
+    fn take_over(&mut self, finished: &Finished, summary: &mut Summary) -> Result<u32, CliError> {
+        let frames = &self.request.frames;
         for frame in frames.clone() {
             if let Some(code) = self.interrupt.exit_code() {
                 summary.stopped = Some((frame, code));
                 return Ok(frame);
             }
-            let Some(rows) = finished.rows(frame, &self.files_of(frame)) else {
+            let journal = self.journal.as_ref();
+            let rows =
+                journal.and_then(|journal| finished.rows(frame, &self.files_of(journal, frame)));
+            let Some(rows) = rows else {
                 return Ok(frame);
             };
             if let (Pictures::Frames(sink), Some(journal)) = (&mut self.pictures, &self.journal)
-                && self.target.is_animation()
+                && self.request.target.is_animation()
             {
                 let Some(image) = journal.kept(frame) else {
                     return Ok(frame);
@@ -175,17 +156,11 @@ impl Job<'_> {
         Ok(frames.end)
     }
 
-    /// The files that a frame has to itself, in the journal if all frames share one.
-    fn files_of(&self, frame: u32) -> Vec<PathBuf> {
-        let layers = self.layers.iter();
-        let layers = layers.filter_map(|layer| self.target.layer_path(frame, layer));
-        let mut files: Vec<PathBuf> = layers.collect();
-        match &self.journal {
-            Some(journal) if self.target.is_animation() => files.push(journal.kept_frame(frame)),
-            _ => files.push(self.target.frame_path(frame)),
-        }
-        if self.dumps.contains(&frame) {
-            files.push(dump_path(self.dump_dir, "particles", frame));
+    /// The files that a frame has to itself, with the one in the journal if all frames share one.
+    fn files_of(&self, journal: &Journal, frame: u32) -> Vec<PathBuf> {
+        let mut files = self.request.files_of(frame);
+        if self.request.target.is_animation() {
+            files.push(journal.kept_frame(frame));
         }
         files
     }
@@ -216,16 +191,23 @@ impl Job<'_> {
     fn frame(
         &mut self,
         simulation: &mut Simulation,
-        scene: &Scene,
         frame: u32,
         summary: &mut Summary,
     ) -> Result<(), CliError> {
-        for (index, name) in self.layers.iter().enumerate() {
+        let Request {
+            scene,
+            target,
+            layers,
+            dumps,
+            dump_dir,
+            ..
+        } = self.request;
+        for (index, name) in layers.iter().enumerate() {
             simulation.draw_layer(index)?;
             let what = format!("frame {frame}, layer {name}");
-            let pixels = self.target.pixels();
+            let pixels = target.pixels();
             let layer = picture_of(simulation, scene, pixels, &what)?.into_layer();
-            if let Some(path) = self.target.layer_path(frame, name) {
+            if let Some(path) = target.layer_path(frame, name) {
                 layer.write(&path)?;
             }
         }
@@ -236,7 +218,7 @@ impl Job<'_> {
                 let picture = picture_of(simulation, scene, sink.pixels(), &what)?;
                 summary.look_at(&picture);
                 sink.write_frame(frame, &picture)?;
-                let kept = self.journal.as_ref().filter(|_| self.target.is_animation());
+                let kept = self.journal.as_ref().filter(|_| target.is_animation());
                 if let (Some(journal), Picture::Bytes(image)) = (kept, &picture) {
                     journal.keep_frame(frame, image)?;
                 }
@@ -257,20 +239,9 @@ impl Job<'_> {
             }
             Pictures::Done => {}
         }
-        if self.dumps.contains(&frame) {
-            let records: Vec<ParticleRecord> = simulation
-                .particles()?
-                .into_iter()
-                .map(|p| ParticleRecord {
-                    position: p.position,
-                    velocity: p.velocity,
-                    age: p.age,
-                    lifetime: p.lifetime,
-                    system: p.system,
-                    id: p.id,
-                })
-                .collect();
-            write_particles(&dump_path(self.dump_dir, "particles", frame), &records)?;
+        if dumps.contains(&frame) {
+            let path = dump_path(dump_dir, "particles", frame);
+            write_particles(&path, &simulation.particles()?)?;
         }
         let mut rows = Vec::new();
         if let Some(stats) = &mut self.stats {
@@ -286,10 +257,11 @@ impl Job<'_> {
         } else if frame.cast_signed() % STATISTICS_STEPS == 0 {
             summary.count(&simulation.take_statistics()?);
         }
-        let files = self.files_of(frame);
-        match &mut self.journal {
-            Some(journal) => journal.frame_done(frame, &files, &rows),
-            None => Ok(()),
+        let files = self.journal.as_ref();
+        let files = files.map(|journal| self.files_of(journal, frame));
+        match (&mut self.journal, files) {
+            (Some(journal), Some(files)) => journal.frame_done(frame, &files, &rows),
+            _ => Ok(()),
         }
     }
 
@@ -300,7 +272,7 @@ impl Job<'_> {
     }
 
     /// The error, and how to go on after it.
-    fn told(&self, mut error: CliError) -> CliError {
+    pub(super) fn told(&self, mut error: CliError) -> CliError {
         if self.can_go_on() {
             error.message += "\n  = help: finished frames stay; the same command with --resume \
                               goes on after them";

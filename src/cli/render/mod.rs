@@ -52,6 +52,7 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
         SimulationError::Plan(error) => CliError::of_plan(&error, &args.scene),
         error => error.into(),
     })?;
+    super::tell_notes(scene);
     say_where(&args, &simulation, scene);
     say_what_is_beyond(&request);
     // First of all outputs, so that it knows who began what is left of them.
@@ -67,7 +68,7 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
     if args.no_clobber {
         request::refuse_to_replace(&args, &request, &finished)?;
     }
-    for frame in &args.dump {
+    for frame in &request.dumps {
         probe(&dump_path(&request.dump_dir, "particles", *frame))?;
     }
     let pictures = match target {
@@ -85,21 +86,15 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
     };
     let mut job = Job {
         pictures,
-        target,
-        layers: if args.layers {
-            scene.layer_names()
-        } else {
-            Vec::new()
-        },
+        request: &request,
         stats: args.stats.as_deref().map(StatsWriter::create).transpose()?,
-        dumps: &args.dump,
-        dump_dir: &request.dump_dir,
         journal,
         snapshot_every: Duration::from_secs_f64(args.snapshot_every),
         keeps_states: true,
         interrupt: &interrupt,
     };
-    let summary = job.run(&mut simulation, scene, frames, &finished)?;
+    let summary = job.render(&mut simulation, &finished);
+    let summary = summary.map_err(|error| job.told(error))?;
     if let Some((next, code)) = summary.stopped {
         let Range { start, end } = frames;
         note!("motes: stopped before frame {next} of {start}..{end}");

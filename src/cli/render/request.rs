@@ -12,7 +12,7 @@ use crate::cli::{CliError, refuse_folder};
 use crate::output::{OutputTarget, dump_path};
 use crate::plan::Turn;
 use crate::recording::Recording;
-use crate::scene::{self, Scene, Set};
+use crate::scene::{Scene, Set};
 
 /// A recording is shorter.
 const MOST_BYTES: u64 = 16 << 20;
@@ -22,6 +22,10 @@ pub(super) struct Request {
     pub(super) scene: Scene,
     pub(super) frames: Range<u32>,
     pub(super) target: OutputTarget,
+    /// Names of the layers that are written beside the frames; none unless they are asked for.
+    pub(super) layers: Vec<String>,
+    /// Frames whose particles are dumped.
+    pub(super) dumps: Vec<u32>,
     pub(super) dump_dir: PathBuf,
     pub(super) recording: Recording,
     /// The changes, each with the scene that holds from it on.
@@ -31,7 +35,7 @@ pub(super) struct Request {
 /// Checks all that can be known before anything is opened.
 pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
     let sets = sets(args);
-    let scene = scene::draft(&args.scene, &sets)?.scene()?;
+    let scene = args.loader().draft(&args.scene, &sets)?.scene()?;
     let frames = match (args.frame, &args.frames) {
         (Some(frame), _) => frame..frame + 1,
         (None, Some(frames)) => frames.clone(),
@@ -62,11 +66,27 @@ pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
         refuse_folder("--stats", stats)?;
     }
     collisions::refuse(&target, &frames, &layers, stats, &args.dump, &dump_dir)?;
-    let inputs = [
+    let beside = Path::new(&args.scene).parent().unwrap_or(Path::new(""));
+    let meshes = scene.meshes();
+    let files = meshes.iter().filter(|mesh| mesh.name().contains('.'));
+    let files: Vec<PathBuf> = files.map(|mesh| beside.join(mesh.name())).collect();
+    let mut inputs = vec![
         ("the scene", Some(Path::new(&args.scene))),
         ("the recording (--inputs)", args.inputs.as_deref()),
     ];
-    collisions::refuse_inputs(&[Some(&target.path()), stats], &inputs)?;
+    inputs.extend(
+        files
+            .iter()
+            .map(|file| ("a mesh of the scene", Some(file.as_path()))),
+    );
+    let dumps = args.dump.iter();
+    let dumps: Vec<PathBuf> = dumps
+        .map(|frame| dump_path(&dump_dir, "particles", *frame))
+        .collect();
+    let target_path = target.path();
+    let mut outputs = vec![Some(&*target_path), stats];
+    outputs.extend(dumps.iter().map(|dump| Some(dump.as_path())));
+    collisions::refuse_inputs(&outputs, &inputs)?;
     if args.layers && target.layer_path(0, "").is_none() {
         return Err(CliError::usage(
             "--layers writes files beside those of the frames, and this output has none",
@@ -86,7 +106,7 @@ pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
         Some(path) => {
             let (text, file) = (text_of(path)?, path.display().to_string());
             let recording = Recording::parse(&text, &file)?;
-            let turns = recording.turns_of(&text, &file, &args.scene, &sets);
+            let turns = recording.turns_of((&text, &file), args.loader(), &args.scene, &sets);
             let turns = turns.map_err(|refused| CliError {
                 message: refused.message,
                 code: 2,
@@ -99,10 +119,28 @@ pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
         scene,
         frames,
         target,
+        layers,
+        dumps: args.dump.clone(),
         dump_dir,
         recording,
         turns,
     })
+}
+
+impl Request {
+    /// The files that a frame has to itself; the frames of an animation share one.
+    pub(super) fn files_of(&self, frame: u32) -> Vec<PathBuf> {
+        let layers = self.layers.iter();
+        let layers = layers.filter_map(|layer| self.target.layer_path(frame, layer));
+        let mut files: Vec<PathBuf> = layers.collect();
+        if !self.target.is_animation() {
+            files.push(self.target.frame_path(frame));
+        }
+        if self.dumps.contains(&frame) {
+            files.push(dump_path(&self.dump_dir, "particles", frame));
+        }
+        files
+    }
 }
 
 /// Refuses to write over files that are there and that this run has not `finished` before.
@@ -112,23 +150,12 @@ pub(super) fn refuse_to_replace(
     finished: &Finished,
 ) -> Result<(), CliError> {
     let target = &request.target;
-    let layers = if args.layers {
-        request.scene.layer_names()
-    } else {
-        Vec::new()
-    };
-    let of_frame = |frame: u32| {
-        let layers = layers.iter();
-        let layers = layers.filter_map(move |layer| target.layer_path(frame, layer));
-        layers.chain([target.frame_path(frame)])
-    };
-    let dump = |frame: &u32| dump_path(&request.dump_dir, "particles", *frame);
-    let is_new = |frame: &u32| target.is_animation() || !finished.has(*frame);
-    let frames = request.frames.clone().filter(is_new);
-    let dumps = args.dump.iter().filter(|frame| !finished.has(**frame));
-    let mut files = frames
-        .flat_map(of_frame)
-        .chain(dumps.map(dump))
+    let shared = target.is_animation().then(|| target.path());
+    let frames = request.frames.clone();
+    let new = frames.filter(|frame| !finished.has(*frame));
+    let mut files = shared
+        .into_iter()
+        .chain(new.flat_map(|frame| request.files_of(frame)))
         .chain(args.stats.clone());
     match files.find(|file| file.is_file()) {
         None => Ok(()),

@@ -7,6 +7,7 @@ use std::time::Duration;
 
 use super::job::{Job, Pictures};
 use super::journal::{Finished, Journal};
+use super::request::Request;
 use super::summary::Summary;
 use crate::backend::{Backend, BackendError};
 use crate::cli::CliError;
@@ -15,6 +16,7 @@ use crate::cpu::CpuBackend;
 use crate::layout::FrameStats;
 use crate::output::{FrameSink, OutputTarget, StatsWriter};
 use crate::plan::{FrameInputs, Plan, Stage};
+use crate::recording::Recording;
 use crate::scene::{self, Scene};
 use crate::simulation::Simulation;
 
@@ -112,19 +114,27 @@ fn render(
         None => (Journal::begin(&place, 1, &[folder])?, Finished::default()),
     };
     let sink = FrameSink::open(&target, 64, 36, 24.0, FRAMES)?;
+    let request = Request {
+        scene,
+        frames: 0..FRAMES,
+        target,
+        layers: Vec::new(),
+        dumps: vec![5],
+        dump_dir: folder.to_owned(),
+        recording: Recording::default(),
+        turns: Vec::new(),
+    };
     let mut job = Job {
         pictures: Pictures::Frames(sink),
-        target: &target,
-        layers: Vec::new(),
+        request: &request,
         stats: Some(StatsWriter::create(&folder.join("s.csv"))?),
-        dumps: &[5],
-        dump_dir: folder,
         journal: Some(journal),
         snapshot_every: Duration::ZERO,
         keeps_states: true,
         interrupt: &interrupt,
     };
-    let summary = job.run(&mut simulation, &scene, &(0..FRAMES), &finished)?;
+    let summary = job.render(&mut simulation, &finished);
+    let summary = summary.map_err(|error| job.told(error))?;
     job.finish()?;
     Ok(summary)
 }

@@ -2,23 +2,43 @@
 
 use glam::{UVec4, Vec3};
 
-use crate::cpu::emission::{Birthplace, axis_of, ejected, in_shape, mixed, on_curve, turned};
+use crate::cpu::emission::{
+    Birthplace, axis_of, ejected, in_shape, mixed, on_curve, on_triangle, turned,
+};
 use crate::cpu::particle::{Identity, STREAM_MOMENT, STREAM_MOTION, STREAM_PLACE, draw};
 use crate::exact::{bits_of, f32_of_u32, normalize_exact, to_i32};
 use crate::layout::{
-    Particle, ROW_WITHIN_FRAME, SHAPE_CURVE, SYSTEM_PARABOLIC, SystemFrame, SystemRow,
+    Particle, ROW_WITHIN_FRAME, SHAPE_CURVE, SHAPE_MESH, SYSTEM_PARABOLIC, SystemFrame, SystemRow,
 };
-use crate::rng::{signed_float, unit_float};
+use crate::plan::MeshTables;
+use crate::rng::{index_below, signed_float, unit_float};
+
+/// What stands in buffers and does not change in a run.
+#[derive(Clone, Copy, Debug)]
+pub struct Stored<'a> {
+    /// Points of the curves that particles are born on.
+    pub curve_points: &'a [[f32; 4]],
+    /// Faces of the meshes that they are born on.
+    pub meshes: &'a MeshTables,
+}
 
 #[inline]
-fn birthplace(row: &SystemRow, curve_points: &[[f32; 4]], place: UVec4) -> Birthplace {
+fn birthplace(row: &SystemRow, stored: Stored, place: UVec4) -> Birthplace {
     if row.kinds[0] == SHAPE_CURVE {
         let along = unit_float(place.x) * row.shape[2];
         let before = to_i32(along) as u32;
         let first = to_i32(row.shape[1]) as u32 + before;
         let part = along - f32_of_u32(before);
-        let point = |at: u32| Vec3::from_slice(&curve_points[at as usize]);
+        let point = |at: u32| Vec3::from_slice(&stored.curve_points[at as usize]);
         return on_curve(point(first), point(first + 1), part, row.shape[0]);
+    }
+    if row.kinds[0] == SHAPE_MESH {
+        let count = to_i32(row.shape[2]) as u32;
+        let drawn = to_i32(row.shape[1]) as u32 + index_below(place.x, count);
+        let [below, other] = stored.meshes.choices[drawn as usize];
+        let face = if place.w < below { drawn } else { other };
+        let corner = |at: usize| stored.meshes.faces[3 * face as usize + at];
+        return on_triangle([corner(0), corner(1), corner(2)], place, row.shape[0]);
     }
     in_shape(row, place)
 }
@@ -30,10 +50,10 @@ pub fn emit(
     slot: u32,
     system: &SystemFrame,
     row: &SystemRow,
-    curve_points: &[[f32; 4]],
+    stored: Stored,
 ) -> Particle {
     let motion = draw(who, STREAM_MOTION);
-    let born = birthplace(row, curve_points, draw(who, STREAM_PLACE));
+    let born = birthplace(row, stored, draw(who, STREAM_PLACE));
     let speed = row.speed_and_lifetime[0] + signed_float(motion.z) * row.speed_and_lifetime[1];
     let leaving = ejected(row, axis_of(row, &born), motion);
 

@@ -63,6 +63,7 @@ pub(super) const SWITCHES: &[&str] = &[
     "RECTANGLES",
     "LIGHT_DISTANCES",
     "LAYERS",
+    "MESHES",
 ];
 
 /// A composed and validated module.

@@ -8,6 +8,7 @@ use std::rc::Rc;
 use self::system::systems;
 use self::wind::wind;
 use super::check;
+use super::files::Files;
 use super::read::{Reader, Spot};
 use super::schema::{CAMERA, IMAGE, LAYER, SCENE};
 use super::set;
@@ -17,27 +18,21 @@ use super::tree::{self, Node, Source};
 use super::values::{Quantity, choice, list, text, whole, whole32};
 use super::{Camera, Image, Layer, Projection, Scene, SceneError, ShutterWeighting};
 
-/// Reads a scene from TOML.
-///
-/// `file` is what errors call the text; `name` becomes [`Scene::name`] and, if the text has no
-/// title, [`Scene::title`].
-///
-/// # Errors
-/// If the text is not TOML, or a key is unknown, missing, of the wrong kind, out of range or at
-/// odds with another. The first such thing is reported.
-pub fn parse(text: &str, file: &str, name: &str) -> Result<Scene, SceneError> {
-    Draft::new(text, file, name)?.scene()
-}
-
 /// A scene's text, read but not yet checked, so that values can be changed.
 pub(crate) struct Draft {
     root: Node,
     name: String,
+    files: Files,
 }
 
 impl Draft {
-    /// Reads a text as [`parse`] does.
-    pub(super) fn new(text: &str, file: &str, name: &str) -> Result<Self, SceneError> {
+    /// Reads a text as [`Loader::parse`](super::Loader::parse) does; it names these files.
+    pub(super) fn new(
+        text: &str,
+        file: &str,
+        name: &str,
+        files: Files,
+    ) -> Result<Self, SceneError> {
         let source = Rc::new(Source {
             file: file.to_owned(),
             text: text.to_owned(),
@@ -47,7 +42,7 @@ impl Draft {
         // Where something is missing from the whole file, its first character stands for it.
         root.at.span = 0..0;
         let name = name.to_owned();
-        Ok(Self { root, name })
+        Ok(Self { root, name, files })
     }
 
     /// Changes a value.
@@ -57,11 +52,11 @@ impl Draft {
 
     /// The scene that it is now, checked.
     pub(crate) fn scene(&self) -> Result<Scene, SceneError> {
-        scene(&self.root, &self.name)
+        scene(&self.root, &self.name, &self.files)
     }
 }
 
-fn scene(root: &Node, name: &str) -> Result<Scene, SceneError> {
+fn scene(root: &Node, name: &str, files: &Files) -> Result<Scene, SceneError> {
     let table = Reader::new(String::new(), SCENE, root)?;
     let mut scene = Scene {
         name: name.to_owned(),
@@ -74,7 +69,7 @@ fn scene(root: &Node, name: &str) -> Result<Scene, SceneError> {
         steady_particles: table.may("steady_particles", whole32)?,
         image: table.must("image", image)?,
         camera: table.must("camera", camera)?,
-        systems: table.must("system", systems)?,
+        systems: table.must("system", |spot| systems(spot, files))?,
         winds: table.must("wind", |spot| list(spot, wind))?,
         layers: table.must("layer", |spot| list(spot, layer))?,
         tracks: Vec::new(),

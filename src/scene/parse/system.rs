@@ -1,6 +1,7 @@
 //! `[[system]]`, with what is in it.
 
 use crate::scene::check;
+use crate::scene::files::Files;
 use crate::scene::read::{Reader, Spot};
 use crate::scene::schema::{BURST, SYSTEM};
 use crate::scene::tree::Node;
@@ -13,15 +14,15 @@ use crate::scene::{
     StreakLight, System,
 };
 
-pub(super) fn systems(spot: &Spot<'_>) -> Result<Vec<System>, SceneError> {
-    let systems = list(spot, |index, spot| system(index, spot.node))?;
+pub(super) fn systems(spot: &Spot<'_>, files: &Files) -> Result<Vec<System>, SceneError> {
+    let systems = list(spot, |index, spot| system(index, spot.node, files))?;
     if systems.is_empty() {
         return Err(spot.wrong_kind());
     }
     Ok(systems)
 }
 
-fn system(index: usize, node: &Node) -> Result<System, SceneError> {
+fn system(index: usize, node: &Node, files: &Files) -> Result<System, SceneError> {
     let name = node.entry("name").and_then(|name| name.node.text());
     let path = match name {
         Some(name) if check::is_name(name) => format!("system.{name}"),
@@ -39,7 +40,8 @@ fn system(index: usize, node: &Node) -> Result<System, SceneError> {
         EjectionAxis::Outward,
         EjectionAxis::Around,
     ];
-    let shape = table.must("generation_shape", generation_shape)?;
+    let shape = table.must("generation_shape", |spot| generation_shape(spot, files))?;
+    let axis = default_axis(&shape);
     let lights = [StreakLight::Conserved, StreakLight::Constant];
     let system = System {
         name: table.must("name", text)?,
@@ -57,7 +59,7 @@ fn system(index: usize, node: &Node) -> Result<System, SceneError> {
         generation_shape: shape,
         ejection_axis: table
             .may("ejection_axis", choice)?
-            .map_or(default_axis(shape), |at| axes[at]),
+            .map_or(axis, |at| axes[at]),
         ejection_angle_degrees: table.must("ejection_angle_degrees", Quantity::read)?,
         ejection_spread: [EjectionSpread::SolidAngle, EjectionSpread::Angle]
             [table.must("ejection_spread", choice)?],
@@ -153,16 +155,17 @@ fn extinction(spot: &Spot<'_>) -> Result<Extinction, SceneError> {
 }
 
 /// Where particles of a shape leave to if nothing is said.
-fn default_axis(shape: GenerationShape) -> EjectionAxis {
+fn default_axis(shape: &GenerationShape) -> EjectionAxis {
     match shape {
         GenerationShape::Sphere { .. }
         | GenerationShape::Cone { .. }
-        | GenerationShape::Attractor { .. } => EjectionAxis::Outward,
+        | GenerationShape::Attractor { .. }
+        | GenerationShape::Mesh { .. } => EjectionAxis::Outward,
         _ => EjectionAxis::Up,
     }
 }
 
-fn generation_shape(spot: &Spot<'_>) -> Result<GenerationShape, SceneError> {
+fn generation_shape(spot: &Spot<'_>, files: &Files) -> Result<GenerationShape, SceneError> {
     let (kind, table) = variant(spot)?;
     Ok(match kind {
         "sphere" => GenerationShape::Sphere {
@@ -195,6 +198,10 @@ fn generation_shape(spot: &Spot<'_>) -> Result<GenerationShape, SceneError> {
         },
         "line" => GenerationShape::Line {
             length: table.must("length", Quantity::read)?,
+        },
+        "mesh" => GenerationShape::Mesh {
+            mesh: table.must("mesh", |spot| files.mesh(spot))?,
+            scale: table.must("scale", Quantity::read)?,
         },
         _ => GenerationShape::Attractor {
             attractor: [Attractor::Lorenz, Attractor::Rossler, Attractor::Halvorsen]

@@ -87,7 +87,7 @@ pub const SYSTEM: &[Field] = &[
     default("mean_parts_wander_frames", numbers(1, 1.0, 1e6), "24", "frames", "over how many frames it does", "Reeves 2.1"),
     default("birth_rounding", Kind::Choice(&["stochastic", "nearest"]), "\"stochastic\"", "", "how a fractional number of births becomes a whole one", "Reeves 2.1"),
     required("generation_shape", Kind::Variants(GENERATION_SHAPES), "{ kind = \"sphere\", radius = 1 }", "", "where particles are born", "Reeves 2.2"),
-    optional("ejection_axis", Kind::Choice(&["up", "outward", "around"]), "\"up\"", "", "the axis of the cone that particles leave within; outward for sphere and cone, along the curve for an attractor and up for the others if left out", "Reeves 2.2"),
+    optional("ejection_axis", Kind::Choice(&["up", "outward", "around"]), "\"up\"", "", "the axis of the cone that particles leave within; outward for sphere, cone and mesh, along the curve for an attractor and up for the others if left out", "Reeves 2.2"),
     keyed(default("ejection_angle_degrees", numbers(1, 0.0, 180.0), "0", "degrees", "half-angle of that cone", "Reeves 2.2")),
     default("ejection_spread", Kind::Choice(&["solid_angle", "angle"]), "\"solid_angle\"", "", "what is uniform in that cone", "Reeves 2.2"),
     keyed(required("speed", spread((-1e4, 1e4), (0.0, 1e4)), "{ mean = 0.1, var = 0.02 }", "world units a frame", "initial speed", "Reeves 2.2")),

@@ -1,6 +1,6 @@
 //! The tables of what goes by its `kind`. A row is as in the other tables.
 
-use super::rows::{DIRECTION, PLACE, default, keyed, numbers, required, whole};
+use super::rows::{DIRECTION, PLACE, default, keyed, numbers, required, text, whole};
 use super::{Field, Kind, Variant};
 
 /// What an `[[system.extinction]]` can be (Reeves 1983, 2.4).
@@ -108,6 +108,10 @@ pub const GENERATION_SHAPES: &[Variant] = &[
     Variant { name: "attractor", about: "the trajectory of a chaotic system", fields: &[
         required("attractor", Kind::Choice(&["lorenz", "rossler", "halvorsen"]), "\"lorenz\"", "", "which chaotic system's trajectory", "Reeves 2.2"),
         keyed(required("radius", EXTENT, "1", "world units", "from its centre to its farthest point", "Reeves 2.2")),
+    ] },
+    Variant { name: "mesh", about: "the faces of a mesh, as many on each part of their area", fields: &[
+        required("mesh", text(1000, false), "\"torus\"", "", "a file in the scene's folder that ends in .obj, .ply, .gltf or .glb; or cube, cylinder, plane, sphere or torus, which need none", ""),
+        keyed(default("scale", numbers(1, 0.0, 1e3), "1", "world units", "what a unit of the mesh's coordinates becomes", "")),
     ] },
 ];
 

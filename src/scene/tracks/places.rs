@@ -82,6 +82,7 @@ fn shape_numbers<'a>(shape: &'a mut GenerationShape, key: &str) -> Option<&'a mu
         (Shape::Box { height, .. } | Shape::Cone { height, .. }, "height") => height,
         (Shape::Ring { inner_radius, .. }, "inner_radius") => inner_radius,
         (Shape::Ring { outer_radius, .. }, "outer_radius") => outer_radius,
+        (Shape::Mesh { scale, .. }, "scale") => scale,
         _ => return None,
     };
     Some(std::slice::from_mut(number))

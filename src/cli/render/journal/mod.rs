@@ -6,7 +6,8 @@
 //! process has not ended is not believed, nor one whose files have changed since. The journal is
 //! locked by whoever works on the run.
 
-use std::collections::BTreeMap;
+mod finished;
+
 use std::fmt::Write as _;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{Read, Seek, SeekFrom, Write as _};
@@ -16,6 +17,8 @@ use std::path::{Path, PathBuf};
 use crate::cli::CliError;
 use crate::output::{AtomicFile, OutputError, OutputTarget, Rgba8Image, read_png, write_png};
 use crate::simulation::Snapshot;
+use finished::files_as_they_are;
+pub(super) use finished::{Finished, digest_of};
 
 /// The first line of a journal.
 const FIRST_LINE: &str = "motes journal 1";
@@ -39,23 +42,6 @@ struct Leftovers {
     folders: Vec<PathBuf>,
 }
 
-/// What a stopped run had finished.
-#[derive(Default)]
-pub(super) struct Finished {
-    /// By frame.
-    frames: BTreeMap<u32, Done>,
-    /// Processes that worked on it.
-    processes: Vec<u32>,
-}
-
-/// What is known of a finished frame.
-struct Done {
-    /// Length and digest of each of its files, in order.
-    files: String,
-    /// Its rows of statistics; none where none were asked for.
-    rows: Vec<String>,
-}
-
 /// The folder of the journal of such a run; `None` where the output is a device or a pipe.
 pub(super) fn place(target: &OutputTarget, frames: &Range<u32>) -> Option<PathBuf> {
     let (folder, name) = target.folder_and_name();
@@ -63,24 +49,6 @@ pub(super) fn place(target: &OutputTarget, frames: &Range<u32>) -> Option<PathBu
     let is_special = fs::metadata(path).is_ok_and(|it| !it.is_file() && !it.is_dir());
     let Range { start, end } = frames;
     (!is_special).then(|| folder.join(format!(".{name}.{start}-{end}.resume")))
-}
-
-/// A number that tells texts apart: FNV-1a, the same in every version of the program.
-pub(super) fn digest_of(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
-        (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3)
-    })
-}
-
-/// Lengths and digests of the files, as a line of the journal has them; `None` where one cannot be
-/// read.
-fn files_as_they_are(files: &[PathBuf]) -> Option<String> {
-    let of = |path: &PathBuf| {
-        let bytes = fs::read(path).ok()?;
-        Some(format!("{}:{:016x}", bytes.len(), digest_of(&bytes)))
-    };
-    let all: Option<Vec<String>> = files.iter().map(of).collect();
-    Some(all?.join(" "))
 }
 
 impl Journal {
@@ -262,48 +230,6 @@ impl Drop for Journal {
             // It is hidden, and a later run that finds it begins anew: that it stays harms nothing.
             let _ = fs::remove_dir_all(&self.folder);
         }
-    }
-}
-
-impl Finished {
-    /// What the whole lines of a journal say.
-    fn of(text: &str) -> Self {
-        let mut finished = Self::default();
-        for line in text.lines() {
-            let mut parts = line.split('\t');
-            let words = parts.next().and_then(|first| first.split_once(' '));
-            match words {
-                Some(("frame", about)) => {
-                    let (number, files) = about.split_once(' ').unwrap_or((about, ""));
-                    if let Ok(frame) = number.parse() {
-                        let done = Done {
-                            files: files.to_owned(),
-                            rows: parts.map(str::to_owned).collect(),
-                        };
-                        finished.frames.insert(frame, done);
-                    }
-                }
-                Some(("process", number)) => finished.processes.extend(number.parse::<u32>().ok()),
-                _ => {}
-            }
-        }
-        finished
-    }
-
-    /// How many frames are finished.
-    pub(super) fn count(&self) -> usize {
-        self.frames.len()
-    }
-
-    /// Whether a frame was finished, whatever has become of it.
-    pub(super) fn has(&self, frame: u32) -> bool {
-        self.frames.contains_key(&frame)
-    }
-
-    /// The rows of a finished frame whose files are as they were; `None` for any other.
-    pub(super) fn rows(&self, frame: u32, files: &[PathBuf]) -> Option<&[String]> {
-        let done = self.frames.get(&frame)?;
-        (files_as_they_are(files)? == done.files).then_some(&done.rows)
     }
 }
 
