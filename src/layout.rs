@@ -1,9 +1,13 @@
 //! Every struct that Rust and WGSL share, once. `wgsl/lib/layout.wgsl` is the twin of this file,
 //! and a test compares the two field by field (name, offset, size) through naga.
 
+pub mod flock;
+
 use bytemuck::{Pod, Zeroable};
 
 use crate::exact::shared_constants;
+
+pub use flock::*;
 
 /// Who a particle is and where it is: 32 bytes, in its system's space.
 #[repr(C)]
@@ -281,8 +285,8 @@ pub struct Frame {
     pub layer_plane_count: u32,
     /// The layer that is drawn, from 1; 0 for all.
     pub layer: u32,
-    /// Unused.
-    pub spare: u32,
+    /// Grid cells of all flocks.
+    pub cell_count: u32,
 }
 
 /// How many; one record, kept on the device from frame to frame.

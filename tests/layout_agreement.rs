@@ -8,7 +8,8 @@ use motes::gpu::shader::sources::{KERNELS, LIBRARIES, YARDSTICKS};
 use motes::gpu::shader::{self, Access, CompileOptions, CompiledKernel};
 use motes::gpu::{STAGE_KERNELS, check_binding};
 use motes::layout::{
-    self, Bound, Counts, Dispatch, Frame, FrameStats, Particle, SystemFrame, SystemRow, Wind,
+    self, Boid, Bound, Counts, Dispatch, FlockFrame, Frame, FrameStats, Particle, Relation,
+    SystemFrame, SystemRow, Wind,
 };
 use motes::plan::{BUFFERS, BufferRole, STAGES, Uses, buffer};
 
@@ -110,7 +111,7 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             wind_count,
             layer_plane_count,
             layer,
-            spare,
+            cell_count,
         }),
         rust_layout!(Counts {
             live,
@@ -133,6 +134,32 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             died_of_bounds
         }),
         rust_layout!(Dispatch { x, y, z }),
+        rust_layout!(Boid {
+            position_and_flock,
+            velocity_and_index
+        }),
+        rust_layout!(FlockFrame {
+            region_min,
+            region_extent,
+            acceleration,
+            edges_min,
+            edges_max,
+            torus,
+            torus_inverse,
+            grid_min,
+            cells_per_unit,
+            color,
+            grid,
+            members,
+            ties,
+        }),
+        rust_layout!(Relation {
+            kinds,
+            reach,
+            separation,
+            alignment,
+            cohesion,
+        }),
     ]
 }
 
@@ -206,6 +233,9 @@ fn constants_agree_bit_for_bit() {
         motes::area::CONSTANTS,
         motes::noise::CONSTANTS,
         layout::CONSTANTS,
+        layout::flock::CONSTANTS,
+        motes::cpu::boid::CONSTANTS,
+        motes::cpu::steering::CONSTANTS,
     ]
     .concat()
     .into_iter()

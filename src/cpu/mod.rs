@@ -3,28 +3,35 @@
 //! Stages of float work are line-by-line twins of their WGSL kernels; births, compaction and
 //! digests are plain Rust, so that the two sides are not one translation.
 
+pub mod boid;
 mod digest;
 pub mod draw;
 pub mod emission;
+pub mod flock;
 pub mod footprint;
+pub mod grid;
 pub mod light;
 pub mod particle;
 pub mod particles;
 pub mod projection;
 pub(crate) mod sprite;
+pub mod steering;
 pub mod systems;
 pub mod wind;
 
 use rayon::prelude::*;
 
-use crate::backend::{Backend, BackendError, available_bytes, try_copied, try_zeroed};
+use crate::backend::{
+    Backend, BackendError, Living, Population, available_bytes, try_copied, try_zeroed,
+};
 use crate::layout::{Counts, FrameStats, Particle, SystemRow};
 use crate::plan::{FrameInputs, Plan, Stage};
+use flock::Flocks;
 use light::LightSums;
 use particle::{Identity, row_index};
 use particles::cull::{Fate, fate_of};
 
-pub use digest::digest;
+pub use digest::{digest, digest_from};
 
 /// Particles that a task takes at a time; a multiple of 32, so that words of bits stay whole.
 const CHUNK: usize = 8192;
@@ -42,6 +49,7 @@ pub struct CpuBackend {
     /// For want of light, and out of bounds.
     deaths: [u32; 2],
     curve_points: Vec<[f32; 4]>,
+    flocks: Flocks,
     light: LightSums,
     image: Vec<u32>,
     statistics: Vec<FrameStats>,
@@ -78,6 +86,7 @@ impl CpuBackend {
             alive_bits: Vec::new(),
             deaths: [0; 2],
             curve_points: plan.curve_points.clone(),
+            flocks: Flocks::new(plan)?,
             light: LightSums::new(plan.width, plan.height),
             image: try_zeroed(pixels, "pixels")?,
             statistics: Vec::new(),
@@ -86,11 +95,17 @@ impl CpuBackend {
     }
 
     fn run(&mut self, stage: Stage, inputs: &FrameInputs) -> Result<(), BackendError> {
+        if !stage.is_due(inputs) {
+            return Ok(());
+        }
         match stage {
             Stage::Births => self.births(inputs),
             Stage::Emit => self.emit(inputs)?,
             Stage::Cull => self.cull(inputs),
             Stage::Advance => self.advance(inputs)?,
+            Stage::Hatch => self.flocks.hatch(inputs),
+            Stage::Cells => self.flocks.sort(inputs),
+            Stage::Steer => self.flocks.steer(inputs),
             Stage::Splat => {
                 self.light.clear();
                 let (rows, light) = (&self.rows, &self.light);
@@ -274,6 +289,10 @@ impl Backend for CpuBackend {
             "particles" => try_copied(bytemuck::cast_slice(&self.particles), "the particles")?,
             "alive_bits" => self.alive_bits.clone(),
             "deaths" => self.deaths.to_vec(),
+            "boids" => try_copied(bytemuck::cast_slice(&self.flocks.boids), "the boids")?,
+            "boid_cells" => self.flocks.cells.clone(),
+            "cell_starts" => self.flocks.starts.clone(),
+            "sorted_boids" => try_copied(bytemuck::cast_slice(&self.flocks.sorted), "the boids")?,
             "light_low" => (0..self.light.len())
                 .map(|at| self.light.limbs(at).0)
                 .collect(),
@@ -293,7 +312,9 @@ impl Backend for CpuBackend {
         Ok(std::mem::take(&mut self.statistics))
     }
 
-    fn restore(&mut self, particles: &[u32], recent: &[FrameInputs]) -> Result<(), BackendError> {
+    fn restore(&mut self, living: &Living<'_>, recent: &[FrameInputs]) -> Result<(), BackendError> {
+        let particles = living.particles;
+        bytemuck::cast_slice_mut(&mut self.flocks.boids).copy_from_slice(living.boids);
         recent.iter().for_each(|inputs| self.keep_rows(inputs));
         let live = particles.len() * 4 / size_of::<Particle>();
         self.particles.clear();
@@ -308,8 +329,12 @@ impl Backend for CpuBackend {
         Ok(())
     }
 
-    fn state_digest(&mut self) -> Result<u64, BackendError> {
-        Ok(digest(bytemuck::cast_slice(&self.particles), 2))
+    fn population_digest(&mut self, population: Population) -> Result<u64, BackendError> {
+        let words = match population {
+            Population::Particles => bytemuck::cast_slice(&self.particles),
+            Population::Boids => bytemuck::cast_slice(&self.flocks.boids),
+        };
+        Ok(digest_from(population.first_index(), words, 2))
     }
 
     fn image_digest(&mut self) -> Result<u64, BackendError> {

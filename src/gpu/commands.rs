@@ -6,7 +6,7 @@ use super::GpuBackend;
 use super::dispatch::dispatch_for;
 use super::kernel::Kernel;
 use super::shader::Access;
-use crate::backend::BackendError;
+use crate::backend::{BackendError, Population};
 use crate::plan::{Plan, Stage};
 
 /// How a stage uses a kernel.
@@ -42,6 +42,10 @@ enum Work {
     OncePages,
     /// Page by page, as the dispatches for what covers many pixels say.
     LargePages,
+    /// Flock by flock, one a boid.
+    Boids,
+    /// One for every 64 cells of the flocks' grids.
+    CellRuns,
 }
 
 /// Every kernel of a frame in order; reading it is reading the frame on a device.
@@ -102,6 +106,46 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
         work: Work::PagePairs,
     },
     KernelUse {
+        stage: Stage::Hatch,
+        kernel: "flock/hatch",
+        work: Work::Boids,
+    },
+    KernelUse {
+        stage: Stage::Cells,
+        kernel: "flock/count_cells",
+        work: Work::Boids,
+    },
+    KernelUse {
+        stage: Stage::Cells,
+        kernel: "flock/sum_cells",
+        work: Work::CellRuns,
+    },
+    KernelUse {
+        stage: Stage::Cells,
+        kernel: "flock/cell_offsets",
+        work: Work::Once,
+    },
+    KernelUse {
+        stage: Stage::Cells,
+        kernel: "flock/spread_cells",
+        work: Work::CellRuns,
+    },
+    KernelUse {
+        stage: Stage::Cells,
+        kernel: "flock/cell_members",
+        work: Work::Boids,
+    },
+    KernelUse {
+        stage: Stage::Cells,
+        kernel: "flock/cells",
+        work: Work::Boids,
+    },
+    KernelUse {
+        stage: Stage::Steer,
+        kernel: "flock/steer",
+        work: Work::Boids,
+    },
+    KernelUse {
         stage: Stage::Splat,
         kernel: "draw/splat",
         work: Work::LivePages,
@@ -122,6 +166,12 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
         work: Work::Pixels,
     },
 ];
+
+/// Whether a run of the plan ever dispatches the kernel; those of no stage are always at hand.
+pub(super) fn is_used(kernel: &str, plan: &Plan) -> bool {
+    let mut uses = STAGE_KERNELS.iter().filter(|one| one.kernel == kernel);
+    uses.all(|one| plan.has(one.stage))
+}
 
 /// Records that an invocation of the digest takes.
 const DIGEST_RUN: u32 = 64;
@@ -182,6 +232,9 @@ impl GpuBackend {
         workgroup_size: u32,
     ) -> Result<Vec<Command>, BackendError> {
         let mut commands = Vec::new();
+        if !plan.has(stage) {
+            return Ok(commands);
+        }
         for kernel_use in STAGE_KERNELS
             .iter()
             .filter(|kernel_use| kernel_use.stage == stage)
@@ -222,6 +275,11 @@ impl GpuBackend {
             Work::Once => push(0, 0, &[], Size::Direct(1, 1)),
             Work::Systems => push(0, 0, &[], direct(plan.system_count)),
             Work::Pixels => push(0, 0, &[], direct((plan.width * plan.height).div_ceil(4))),
+            Work::CellRuns => push(0, 0, &[], direct(plan.cell_count.div_ceil(64))),
+            Work::Boids => plan
+                .boid_counts()
+                .zip(0..)
+                .try_for_each(|(count, flock)| push(0, 0, &[flock], direct(count))),
             Work::Listed(at) => push(0, 0, &[], Size::Indirect(at)),
             Work::NewbornPages => (0..paging.page_count).try_for_each(|page| {
                 push(
@@ -305,8 +363,30 @@ impl GpuBackend {
         })
     }
 
-    /// The digest of the living in pool `current`.
-    pub(super) fn particle_digest(&self, current: usize) -> Result<Vec<Command>, BackendError> {
+    /// The digest of a population; of particles, those in pool `current`.
+    pub(super) fn population_commands(
+        &self,
+        population: Population,
+        current: usize,
+    ) -> Result<Vec<Command>, BackendError> {
+        let first = population.first_index();
+        match population {
+            Population::Particles => self.particle_digest(current),
+            Population::Boids if self.boid_count == 0 => Ok(Vec::new()),
+            Population::Boids => {
+                let boids = self.memory.named("boids")?;
+                Ok(vec![self.digest_command(
+                    boids,
+                    first,
+                    self.boid_count,
+                    2,
+                    false,
+                )?])
+            }
+        }
+    }
+
+    fn particle_digest(&self, current: usize) -> Result<Vec<Command>, BackendError> {
         let page_len = self.memory.paging.page_len;
         self.memory.pools[current]
             .iter()

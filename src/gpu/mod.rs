@@ -28,7 +28,7 @@ mod yardstick;
 
 use std::collections::{HashMap, VecDeque};
 
-use crate::backend::{Backend, BackendError, StageRecord};
+use crate::backend::{Backend, BackendError, Living, Population, StageRecord};
 use crate::layout::FrameStats;
 use crate::plan::{FrameInputs, Plan, STAGES, Stage};
 use commands::Command;
@@ -61,6 +61,8 @@ pub struct GpuBackend {
     system_count: u32,
     row_count: u32,
     curve_points: Vec<[f32; 4]>,
+    boid_count: u32,
+    cell_count: u32,
     width: u32,
     height: u32,
     /// Which pool holds the particles.
@@ -130,6 +132,9 @@ impl GpuBackend {
             KernelForm::Wgsl
         };
         for source in shader::sources::KERNELS {
+            if !commands::is_used(source.name, plan) {
+                continue;
+            }
             let mutate = mutation
                 .filter(|mutation| mutation.kernel == source.name)
                 .map(|mutation| mutation.change);
@@ -158,6 +163,8 @@ impl GpuBackend {
             system_count: plan.system_count,
             row_count: plan.row_count,
             curve_points: plan.curve_points.clone(),
+            boid_count: plan.boid_count,
+            cell_count: plan.cell_count,
             width: plan.width,
             height: plan.height,
             current: 0,
@@ -242,12 +249,11 @@ impl Backend for GpuBackend {
     }
 
     fn step(&mut self, inputs: &FrameInputs) -> Result<(), BackendError> {
-        let stages = [Stage::Births, Stage::Emit, Stage::Cull, Stage::Advance];
-        self.stepped(|run| run.submit(&stages, inputs))
+        self.stepped(|run| run.submit(&stages(false), inputs))
     }
 
     fn draw(&mut self, inputs: &FrameInputs) -> Result<(), BackendError> {
-        self.watched(|run| run.submit(&[Stage::Splat, Stage::Resolve], inputs))
+        self.watched(|run| run.submit(&stages(true), inputs))
     }
 
     fn read(&mut self, buffer: &str) -> Result<Vec<u32>, BackendError> {
@@ -258,8 +264,8 @@ impl Backend for GpuBackend {
         self.watched(|run| run.ring.take(&run.gpu, &run.memory))
     }
 
-    fn restore(&mut self, particles: &[u32], recent: &[FrameInputs]) -> Result<(), BackendError> {
-        self.stepped(|run| run.put(particles, recent))
+    fn restore(&mut self, living: &Living<'_>, recent: &[FrameInputs]) -> Result<(), BackendError> {
+        self.stepped(|run| run.put(living, recent))
     }
 
     fn record_stage(
@@ -270,9 +276,9 @@ impl Backend for GpuBackend {
         self.watched(|run| run.record(stage, inputs).map(Some))
     }
 
-    fn state_digest(&mut self) -> Result<u64, BackendError> {
+    fn population_digest(&mut self, population: Population) -> Result<u64, BackendError> {
         self.watched(|run| {
-            let commands = run.particle_digest(run.current)?;
+            let commands = run.population_commands(population, run.current)?;
             run.digest_of(&commands, 0)
         })
     }
@@ -283,4 +289,10 @@ impl Backend for GpuBackend {
             run.digest_of(&commands, 0)
         })
     }
+}
+
+/// The stages of drawing, or those of the simulation, in order.
+fn stages(draws: bool) -> Vec<Stage> {
+    let chosen = STAGES.iter().filter(|info| info.draws == draws);
+    chosen.map(|info| info.stage).collect()
 }

@@ -7,7 +7,7 @@ use super::GpuBackend;
 use super::device::GpuDevice;
 use super::memory::Memory;
 use crate::backend::BackendError;
-use crate::layout::FrameStats;
+use crate::layout::{Boid, FrameStats};
 
 /// Lines in the device's ring; `wgsl/scan/survivors.wgsl` has the same.
 pub(super) const STATISTICS_LEN: u32 = 256;
@@ -17,6 +17,9 @@ const HALF: u32 = STATISTICS_LEN / 2;
 
 /// Bytes a line.
 const LINE: u64 = size_of::<FrameStats>() as u64;
+
+/// Words a boid.
+const BOID_WORDS: u64 = size_of::<Boid>() as u64 / 4;
 
 /// How long after the device is done its word of it may take.
 const CALL_BACK: Duration = Duration::from_secs(60);
@@ -63,6 +66,9 @@ impl GpuBackend {
             "alive_bits" => u64::from(counts.total.div_ceil(32)),
             "birth_counts" => u64::from(self.system_count),
             "birth_offsets" => u64::from(self.system_count) + 1,
+            "boids" | "sorted_boids" => u64::from(self.boid_count) * BOID_WORDS,
+            "boid_cells" => u64::from(self.boid_count),
+            "cell_starts" => u64::from(self.cell_count) + 1,
             "deaths" => 2,
             "image" => pixels,
             "light_low" | "light_high" => pixels * 3,

@@ -24,6 +24,8 @@ impl GpuBackend {
             ("bounds", bytemuck::cast_slice(&inputs.bounds)),
             ("winds", bytemuck::cast_slice(&inputs.winds)),
             ("layer_planes", bytemuck::cast_slice(&inputs.layer_planes)),
+            ("flocks", bytemuck::cast_slice(&inputs.flocks)),
+            ("relations", bytemuck::cast_slice(&inputs.relations)),
         ] {
             self.gpu.write(self.memory.named(name)?, 0, bytes)?;
         }
@@ -56,7 +58,7 @@ impl GpuBackend {
         self.upload(inputs)?;
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         let mut timed = self.timer.as_mut().map(Timer::frame);
-        for &stage in stages {
+        for &stage in stages.iter().filter(|stage| stage.is_due(inputs)) {
             let all = &self.commands[self.current][&stage];
             let begins = all.first().is_some_and(|first| wanted(first.kernel));
             if stage == Stage::Splat && begins {

@@ -8,6 +8,7 @@ mod bounds;
 mod buffers;
 mod camera;
 mod curves;
+mod flock;
 mod inputs;
 mod stages;
 mod system;
@@ -61,6 +62,14 @@ pub struct Plan {
     pub row_count: u32,
     /// Number of systems.
     pub system_count: u32,
+    /// Number of flocks.
+    pub flock_count: u32,
+    /// Boids of all flocks.
+    pub boid_count: u32,
+    /// What flocks make of each other, at most.
+    pub relation_count: u32,
+    /// Cells of the flocks' grids, at most.
+    pub cell_count: u32,
     /// Pixels across.
     pub width: u32,
     /// Pixels down.
@@ -122,12 +131,21 @@ impl Plan {
         } else {
             (lifetime_bound + 1).next_power_of_two()
         };
+        let relations = |scene: &&Scene| {
+            let flocks = scene.flocks.iter();
+            flocks.map(|flock| flock.relations.len() as u32).sum()
+        };
+        let most = |of: &dyn Fn(&&Scene) -> u32| scenes.iter().map(of).max().unwrap_or(0);
         let mut plan = Self {
             capacity: 1,
             may_drop: false,
             lifetime_bound,
             row_count,
             system_count: scene.systems.len() as u32,
+            flock_count: scene.flocks.len() as u32,
+            boid_count: scene.flocks.iter().map(|flock| flock.count).sum(),
+            relation_count: most(&relations),
+            cell_count: most(&|scene| flock::cell_count(scene)),
             width: scene.image.width,
             height: scene.image.height,
             uses: Uses::default(),
@@ -197,6 +215,20 @@ impl Plan {
         inputs::frame_inputs(self, self.scene_at(frame), frame)
     }
 
+    /// How many boids each flock has.
+    pub fn boid_counts(&self) -> impl Iterator<Item = u32> + '_ {
+        let (_, scene) = &self.variants[0];
+        scene.flocks.iter().map(|flock| flock.count)
+    }
+
+    /// Whether the plan has anything for the stage to do at any time.
+    pub fn has(&self, stage: Stage) -> bool {
+        match stage {
+            Stage::Hatch | Stage::Cells | Stage::Steer => self.flock_count > 0,
+            _ => true,
+        }
+    }
+
     /// Names of the picture's layers: those of the scene and `rest`; `particles` alone if the scene
     /// has none.
     pub fn layer_names(&self) -> Vec<String> {
@@ -206,9 +238,9 @@ impl Plan {
     /// The earliest frame that a run has to step to have every particle of `frame` right, from an
     /// empty start, its deaths included: particles born before it are dead by then
     /// (Reeves 1983, section 3). Where births may be dropped, who is alive depends on all that
-    /// came before, and it is the first frame.
+    /// came before, and so do the places of boids: then it is the first frame.
     pub fn restart_frame(&self, frame: u32) -> i32 {
-        if self.may_drop {
+        if self.may_drop || self.flock_count > 0 {
             return self.first_frame;
         }
         let earliest = i64::from(frame) - i64::from(self.lifetime_bound);
@@ -234,6 +266,12 @@ fn check_bounds(scenes: &[&Scene]) -> Result<(), PlanError> {
 
 /// Whether the turn leaves alone what holds for a whole run of `scene`.
 pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
+    let flocks = |scene: &Scene| -> Vec<(String, u32)> {
+        let flocks = scene.flocks.iter();
+        flocks
+            .map(|flock| (flock.name.clone(), flock.count))
+            .collect()
+    };
     let names = |scene: &Scene| -> Vec<String> {
         scene
             .systems
@@ -248,6 +286,7 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
             scene.seed,
             scene.capacity,
             scene.layers.len(),
+            flocks(scene),
         )
     };
     if names(scene) != names(&turn.scene) || fixed(scene) != fixed(&turn.scene) {
@@ -256,9 +295,10 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
                 "the change at frame {} alters what holds for a whole run",
                 turn.frame
             ),
-            help: "the list of systems and their names, the number of layers, the image size, the seed \
-                   and the capacity stay as the scene has them"
-                .into(),
+            help:
+                "the list of systems and their names, the flocks' names and counts, the number of \
+                   layers, the image size, the seed and the capacity stay as the scene has them"
+                    .into(),
         });
     }
     Ok(())

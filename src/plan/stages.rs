@@ -1,5 +1,7 @@
 //! The frame, stage by stage. Reading the table is reading the frame.
 
+use super::FrameInputs;
+
 /// A stage of a frame. Backends expand each into their own passes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Stage {
@@ -11,6 +13,12 @@ pub enum Stage {
     Cull,
     /// Survivors move, and take their compacted places.
     Advance,
+    /// Boids where they are at first.
+    Hatch,
+    /// Boids sorted by grid cell.
+    Cells,
+    /// Boids look around, steer and move.
+    Steer,
     /// Particles add their light.
     Splat,
     /// Light becomes pixels.
@@ -32,7 +40,8 @@ pub struct StageInfo {
     pub draws: bool,
 }
 
-/// Every stage in frame order (Reeves 1983, section 2: generate, assign, extinguish, move, render).
+/// Every stage in frame order (Reeves 1983, section 2: generate, assign, extinguish, move, render;
+/// flocks are all there from the first frame on, and look before they move).
 pub static STAGES: &[StageInfo] = &[
     StageInfo {
         stage: Stage::Births,
@@ -84,6 +93,27 @@ pub static STAGES: &[StageInfo] = &[
         draws: false,
     },
     StageInfo {
+        stage: Stage::Hatch,
+        name: "hatch",
+        reads: &["flocks"],
+        writes: &["boids"],
+        draws: false,
+    },
+    StageInfo {
+        stage: Stage::Cells,
+        name: "cells",
+        reads: &["frame", "flocks", "boids"],
+        writes: &["boid_cells", "cell_starts", "sorted_boids"],
+        draws: false,
+    },
+    StageInfo {
+        stage: Stage::Steer,
+        name: "steer",
+        reads: &["flocks", "relations", "cell_starts", "sorted_boids"],
+        writes: &["boids"],
+        draws: false,
+    },
+    StageInfo {
         stage: Stage::Splat,
         name: "splat",
         reads: &[
@@ -107,6 +137,15 @@ pub static STAGES: &[StageInfo] = &[
 ];
 
 impl Stage {
+    /// Whether the stage has anything to do in that frame.
+    pub(crate) fn is_due(self, inputs: &FrameInputs) -> bool {
+        match self {
+            Self::Hatch => inputs.hatches && !inputs.flocks.is_empty(),
+            Self::Cells | Self::Steer => !inputs.flocks.is_empty(),
+            _ => true,
+        }
+    }
+
     /// The stage's line in [`STAGES`].
     pub fn info(self) -> &'static StageInfo {
         STAGES

@@ -361,15 +361,14 @@ fn shape_of(shape: GenerationShape) -> (u32, [f32; 4]) {
 
 /// A system's key: every particle's identity begins with it.
 pub(super) fn system_key(seed: u64, name: &str) -> u32 {
+    name_key(seed, name, KEY_TAG)
+}
+
+/// A hash of the seed and of a name; `tag` tells apart whose names they are.
+pub(super) fn name_key(seed: u64, name: &str, tag: u32) -> u32 {
     // FNV-1a of the name, so that a system keeps its particles when others come before it.
     let name_hash = name.bytes().fold(0x811c_9dc5u32, |hash, byte| {
         (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)
     });
-    pcg4d(UVec4::new(
-        seed as u32,
-        (seed >> 32) as u32,
-        name_hash,
-        KEY_TAG,
-    ))
-    .x
+    pcg4d(UVec4::new(seed as u32, (seed >> 32) as u32, name_hash, tag)).x
 }

@@ -40,6 +40,7 @@ impl Plan {
         let mut plan = Self::with_turns(scene, &turns, frame_end)?;
         self.check_room(&plan, frame)?;
         plan.capacity = self.capacity;
+        (plan.relation_count, plan.cell_count) = (self.relation_count, self.cell_count);
         plan.row_count = self.row_count;
         plan.uses = self.uses;
         plan.first_frame = self.first_frame;
@@ -68,6 +69,13 @@ impl Plan {
             return refuse(
                 "uses what the run was begun without".into(),
                 "begin the run as one that may be edited; lifetimes may then grow twofold",
+            );
+        }
+        if plan.relation_count > self.relation_count || plan.cell_count > self.cell_count {
+            return refuse(
+                "has more relations of flocks, or grids of more cells, than the run began with"
+                    .into(),
+                begin_anew,
             );
         }
         if plan.curve_points != self.curve_points {

@@ -13,6 +13,7 @@ mod check;
 mod error;
 mod expect;
 mod extinction;
+mod flock;
 mod generation;
 mod knobs;
 mod parse;
@@ -32,6 +33,7 @@ pub use builtin::{BUILTIN, BuiltinScene, load, load_with};
 pub use error::SceneError;
 pub(crate) use error::shortened;
 pub use extinction::{Extinction, Side};
+pub use flock::{BoidShape, Corners, Dimensions, Edges, Flock, Relation, RelationKind, Rule};
 pub use generation::{Attractor, EjectionAxis, EjectionSpread, GenerationShape};
 pub use knobs::{Knob, KnobValue, knobs};
 pub use parse::parse;
@@ -82,8 +84,11 @@ pub struct Scene {
     pub image: Image,
     /// The viewer.
     pub camera: Camera,
-    /// The particle systems, in the order of the file, at least one, at most 1,024; names unique.
+    /// The particle systems, in the order of the file, at most 1,024; names unique. A scene has at
+    /// least one, or a flock.
     pub systems: Vec<System>,
+    /// The flocks, in the order of the file, at most 64; names unique.
+    pub flocks: Vec<Flock>,
     /// The parts of the wind, at most 16; it is their sum.
     pub winds: Vec<Wind>,
     /// Planes that split the picture into layers, at most 8.

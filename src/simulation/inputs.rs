@@ -1,6 +1,6 @@
 //! Whether inputs of the caller's making fit the plan.
 
-use crate::layout::{SHAPE_CURVE, SystemFrame, SystemRow};
+use crate::layout::{FlockFrame, SHAPE_CURVE, SystemFrame, SystemRow};
 use crate::plan::{FrameInputs, Plan, PlanError};
 
 /// Whether lists of the caller's making are as long as the plan's, or as they can be.
@@ -34,6 +34,12 @@ pub(super) fn check_sizes(plan: &Plan, inputs: &FrameInputs) -> Result<(), PlanE
             format!("there are {}", inputs.bounds.len()),
         );
     }
+    if !flocks_fit(plan, inputs) {
+        return refuse(
+            "inputs with other flocks than the plan's".into(),
+            "flocks, boids and relations of the plan, and grids of no more cells".into(),
+        );
+    }
     let is_stored = |row: &SystemRow| {
         let [_, first, len, _] = row.shape;
         let stored = plan.curve_points.len() as f32;
@@ -46,4 +52,33 @@ pub(super) fn check_sizes(plan: &Plan, inputs: &FrameInputs) -> Result<(), PlanE
         );
     }
     Ok(())
+}
+
+/// Whether flocks have the plan's boids, and grids and relations have room in its lists.
+fn flocks_fit(plan: &Plan, inputs: &FrameInputs) -> bool {
+    let mut first = 0;
+    let own_boids = |(flock, count): (&FlockFrame, u32)| {
+        let [at, of_flock, ..] = flock.members;
+        let is_own = at == first && of_flock == count;
+        first += count;
+        is_own
+    };
+    let with_counts = inputs.flocks.iter().zip(plan.boid_counts());
+    let within = |first: u32, count: u64, most: usize| u64::from(first) + count <= most as u64;
+    let ties = inputs.relations.len();
+    inputs.flocks.len() == plan.flock_count as usize
+        && ties <= plan.relation_count as usize
+        && with_counts.map(own_boids).all(|is_own| is_own)
+        && inputs.flocks.iter().all(|flock| {
+            let [x, y, z, first] = flock.grid;
+            let cells = [x, y, z].map(u64::from).iter().product();
+            cells > 0
+                && cells <= u64::from(u32::MAX)
+                && within(first, cells, plan.cell_count as usize)
+                && within(flock.ties[0], flock.ties[1].into(), ties)
+        })
+        && inputs
+            .relations
+            .iter()
+            .all(|tie| (tie.kinds[1] as usize) < inputs.flocks.len())
 }

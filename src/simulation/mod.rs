@@ -131,6 +131,8 @@ impl Simulation {
             }));
         }
         check_sizes(&self.plan, &inputs).map_err(SimulationError::Plan)?;
+        // Flocks begin with the run, whichever its first frame.
+        inputs.hatches = self.inputs.is_none();
         // What holds for a whole run is the plan's: kernels index by it.
         inputs.frame = Frame {
             frame: self.next_frame.cast_unsigned(),

@@ -97,6 +97,7 @@ fn what_is_not_written_has_the_documented_default() {
             near: 0.1,
         },
         systems: vec![minimal_system()],
+        flocks: vec![],
         winds: vec![],
         layers: vec![],
         tracks: vec![],
@@ -261,6 +262,7 @@ fn every_other_key_reaches_its_place() {
             near: 0.01,
         },
         systems: scene.systems.clone(),
+        flocks: vec![],
         winds: vec![
             Wind::Uniform {
                 velocity: [0.01, 0.02, 0.03],

@@ -174,7 +174,7 @@ struct Frame {
     // Planes that split the picture into layers; the layer that is drawn, from 1, or 0 for all.
     layer_plane_count: u32,
     layer: u32,
-    spare: u32,
+    cell_count: u32,
 }
 
 // Frame.flags: the view is orthographic; late light counts more, as for an eye.
@@ -216,3 +216,71 @@ struct Dispatch {
     y: u32,
     z: u32,
 }
+
+// A boid, 32 bytes, in world space. Its place among all is its flock's first and its index.
+struct Boid {
+    // x, y, z as bits; slot of its flock.
+    position_and_flock: vec4<u32>,
+    // Velocity a frame as bits; index within its flock.
+    velocity_and_index: vec4<u32>,
+}
+
+// What the processor knows of one flock in one frame.
+struct FlockFrame {
+    // Where boids are at first: least corner, w: their speed; extents, w: greatest speed after a
+    // move.
+    region_min: vec4<f32>,
+    region_extent: vec4<f32>,
+    // Of the constant force; w: inverse of the mass.
+    acceleration: vec4<f32>,
+    // Edges: least corner, w: factor of velocities there; greatest corner.
+    edges_min: vec4<f32>,
+    edges_max: vec4<f32>,
+    // Extents of the torus, 0 along axes that have no wrap, and their inverses.
+    torus: vec4<f32>,
+    torus_inverse: vec4<f32>,
+    // Least corner of the grid; w: steps of the sums of its boids' velocities.
+    grid_min: vec4<f32>,
+    // w: size of a boid.
+    cells_per_unit: vec4<f32>,
+    // Red, green, blue, opacity.
+    color: vec4<f32>,
+    // Cells along x, y, z; the first one among those of all flocks.
+    grid: vec4<u32>,
+    // First boid, how many, the flock's key, EDGES_....
+    members: vec4<u32>,
+    // First relation, how many, 1 for headings in space, BOID_....
+    ties: vec4<u32>,
+}
+
+// FlockFrame.members.w: what happens at the edges.
+const EDGES_NONE: u32 = 0u;
+const EDGES_WRAP: u32 = 1u;
+const EDGES_BOUNCE: u32 = 2u;
+const EDGES_INWARD: u32 = 3u;
+const EDGES_TORUS: u32 = 4u;
+// FlockFrame.ties.w: what boids look like.
+const BOID_TRIANGLE: u32 = 0u;
+const BOID_DISC: u32 = 1u;
+const BOID_POINT: u32 = 2u;
+
+// What one flock makes of another.
+struct Relation {
+    // RELATION_..., slot of the other flock, 1 if separation counts near ones more.
+    kinds: vec4<u32>,
+    // Squared radius, radius, steps of the sums of offsets, of those of pushes.
+    reach: vec4<f32>,
+    // Weight, speed, limit; w: limit of a push.
+    separation: vec4<f32>,
+    // w: unit of pushes.
+    alignment: vec4<f32>,
+    cohesion: vec4<f32>,
+}
+
+// Relation.kinds.x.
+const RELATION_FLOCK: u32 = 0u;
+const RELATION_AVOID: u32 = 1u;
+const RELATION_APPROACH: u32 = 2u;
+
+// Steps of a sum over neighbours in its unit, which no term exceeds.
+const SUM_STEPS: f32 = 536870912.0f;

@@ -9,7 +9,7 @@ use super::interrupt::Interrupt;
 use super::job::{Job, Pictures};
 use super::journal::{Finished, Journal};
 use super::summary::Summary;
-use crate::backend::{Backend, BackendError};
+use crate::backend::{Backend, BackendError, Living, Population};
 use crate::cli::CliError;
 use crate::cpu::CpuBackend;
 use crate::layout::FrameStats;
@@ -75,12 +75,12 @@ impl Backend for Failing {
         self.cpu.take_statistics()
     }
 
-    fn restore(&mut self, particles: &[u32], recent: &[FrameInputs]) -> Result<(), BackendError> {
-        self.cpu.restore(particles, recent)
+    fn restore(&mut self, living: &Living<'_>, recent: &[FrameInputs]) -> Result<(), BackendError> {
+        self.cpu.restore(living, recent)
     }
 
-    fn state_digest(&mut self) -> Result<u64, BackendError> {
-        self.cpu.state_digest()
+    fn population_digest(&mut self, population: Population) -> Result<u64, BackendError> {
+        self.cpu.population_digest(population)
     }
 
     fn image_digest(&mut self) -> Result<u64, BackendError> {

@@ -41,6 +41,9 @@ pub static LIBRARIES: &[Source] = sources![
     "lib/projection",
     "lib/footprint",
     "lib/sprite",
+    "lib/grid",
+    "lib/boid",
+    "lib/steering",
 ];
 
 /// Kernels, in the order of the frame.
@@ -56,6 +59,14 @@ pub static KERNELS: &[Source] = sources![
     "scan/spread_bits",
     "scan/pages",
     "particles/advance",
+    "flock/hatch",
+    "flock/count_cells",
+    "flock/sum_cells",
+    "flock/cell_offsets",
+    "flock/spread_cells",
+    "flock/cell_members",
+    "flock/cells",
+    "flock/steer",
     "draw/splat",
     "draw/large_work",
     "draw/splat_large",

@@ -1,10 +1,12 @@
 //! TOML → [`Scene`]: each key of the [`schema`](super::schema) goes to its place in the types.
 
+mod flock;
 mod system;
 mod wind;
 
 use std::rc::Rc;
 
+use self::flock::flocks;
 use self::system::systems;
 use self::wind::wind;
 use super::check;
@@ -73,11 +75,15 @@ fn scene(root: &Node, name: &str) -> Result<Scene, SceneError> {
         capacity: table.may("capacity", whole32)?,
         image: table.must("image", image)?,
         camera: table.must("camera", camera)?,
-        systems: table.must("system", systems)?,
+        systems: table.may("system", systems)?.unwrap_or_default(),
+        flocks: table.must("flock", flocks)?,
         winds: table.must("wind", |spot| list(spot, wind))?,
         layers: table.must("layer", |spot| list(spot, layer))?,
         tracks: Vec::new(),
     };
+    if scene.systems.is_empty() && scene.flocks.is_empty() {
+        return Err(table.missing("system"));
+    }
     check::unique_names(root)?;
     tracks::collect(root, &mut scene)?;
     check::tracks(&scene, root)?;

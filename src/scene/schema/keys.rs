@@ -1,6 +1,7 @@
 //! The tables themselves. A row: key, kind, default or example, unit, meaning, and the
 //! section of the paper that it comes from. Rows in `keyed` may change with the frame.
 
+use super::flocks::FLOCK;
 use super::kinds::{EXTINCTIONS, GENERATION_SHAPES, WINDS};
 use super::rows::{
     DIRECTION, PLACE, changing, default, keyed, numbers, optional, required, spread, text, whole,
@@ -18,7 +19,8 @@ pub const SCENE: &[Field] = &[
     optional("capacity", whole(1, 1_000_000_000), "200_000", "particles", "most particles alive at once; computed from births and lifetimes if left out", ""),
     default("image", Kind::Table(IMAGE), "{}", "", "the picture that frames are drawn into", ""),
     required("camera", Kind::Table(CAMERA), "{ position = [0, 1, 5], target = [0, 0, 0] }", "", "the viewer", ""),
-    required("system", Kind::Tables { fields: SYSTEM, max: 1024 }, "[{ name = \"jet\", initial_mean_parts = 100, generation_shape = { kind = \"sphere\", radius = 1 }, speed = 0.1, lifetime = 60, color = [0.4, 0.1, 0.02], size = 0.02 }]", "", "the particle systems, one `[[system]]` each", "Reeves 2"),
+    optional("system", Kind::Tables { fields: SYSTEM, max: 1024 }, "[{ name = \"jet\", initial_mean_parts = 100, generation_shape = { kind = \"sphere\", radius = 1 }, speed = 0.1, lifetime = 60, color = [0.4, 0.1, 0.02], size = 0.02 }]", "", "the particle systems, one `[[system]]` each; a scene without a flock has at least one", "Reeves 2"),
+    default("flock", Kind::Tables { fields: FLOCK, max: 64 }, "[]", "", "the flocks, one `[[flock]]` each", ""),
     default("wind", Kind::List { variants: WINDS, max: 16 }, "[]", "", "the parts of the wind, one `[[wind]]` each: it is their sum, and drag makes particles follow it", "Perry 3.2.3"),
     default("layer", Kind::Tables { fields: LAYER, max: 8 }, "[]", "", "planes that split the picture into layers, one `[[layer]]` each", "Reeves 2.5"),
 ];

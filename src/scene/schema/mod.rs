@@ -3,12 +3,14 @@
 //! The reader takes its rules from these tables, so what they say is what is enforced. A key is
 //! written `--set`-style: `image.width`, `system.0.speed.mean`.
 
+mod flocks;
 mod json;
 mod keys;
 mod kinds;
 mod markdown;
 mod rows;
 
+pub use flocks::{EDGES, FLOCK, REGION, RELATIONS};
 pub use json::json_schema;
 pub use keys::{BURST, CAMERA, IMAGE, LAYER, SCENE, SYSTEM};
 pub use kinds::{EXTINCTIONS, GENERATION_SHAPES, WINDS};

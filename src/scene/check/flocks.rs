@@ -1,0 +1,75 @@
+//! Checks of flocks.
+
+use crate::scene::read::{Reader, Spot};
+use crate::scene::{Corners, Dimensions, Edges, Flock, SceneError};
+
+/// Boids of all flocks at most: an invocation of a software driver looks at no more neighbours.
+const MOST_BOIDS: u64 = 1_000_000;
+
+/// There are not too many boids, and nobody sees a boid twice around a torus.
+pub(in crate::scene) fn boids(flocks: &[Flock], spot: &Spot<'_>) -> Result<(), SceneError> {
+    let total: u64 = flocks.iter().map(|flock| u64::from(flock.count)).sum();
+    if total > MOST_BOIDS {
+        let what = format!("the flocks have {total} boids in all, too many");
+        let help = format!("`count`s that sum to at most {MOST_BOIDS}");
+        return Err(spot.node.at.error(what, help));
+    }
+    for flock in flocks {
+        for (at, relation) in flock.relations.iter().enumerate() {
+            let other = &flocks[relation.other];
+            let Edges::Torus(Corners { min, max }) = other.edges else {
+                continue;
+            };
+            let radius = relation.radius.unwrap_or(flock.perception_radius);
+            let extents = [0, 1, 2].map(|axis| max[axis] - min[axis]);
+            let least = extents
+                .into_iter()
+                .filter(|extent| *extent > 0.0)
+                .fold(f32::INFINITY, f32::min);
+            if 2.0 * radius > least {
+                let what = format!(
+                    "`flock.{}.relation.{at}` sees {radius} world units far in the torus of \
+                     `flock.{}`, which is {least} across",
+                    flock.name, other.name
+                );
+                let help = format!("a radius of at most half of that, {}", 0.5 * least);
+                return Err(spot.node.at.error(what, help));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Boids of a plane begin in one and are not pulled out of it.
+pub(in crate::scene) fn plane(flock: &Flock, table: &Reader<'_>) -> Result<(), SceneError> {
+    if flock.dimensions == Dimensions::Three {
+        return Ok(());
+    }
+    let Corners { min, max } = flock.region;
+    if min[2] != max[2] {
+        let path = table.path_of("region");
+        let what = format!(
+            "`{path}` is {} deep along z, and the flock is flat",
+            max[2] - min[2]
+        );
+        let help = "corners of the same z, or `dimensions = 3`";
+        return Err(table.at("region").error(what, help));
+    }
+    if flock.force[2] != 0.0 {
+        let path = table.path_of("force");
+        let what = format!("`{path}` has a part along z, and the flock is flat");
+        let help = "a z of 0, or `dimensions = 3`";
+        return Err(table.at("force").error(what, help));
+    }
+    Ok(())
+}
+
+/// The error of a relation to a flock that is not there.
+pub(in crate::scene) fn no_such_flock(name: &str, names: &[String], spot: &Spot<'_>) -> SceneError {
+    let what = format!(
+        "`{}` names a flock that is not there: \"{name}\"",
+        spot.path
+    );
+    let help = format!("one of {}", names.join(", "));
+    spot.node.at.error(what, help)
+}
