@@ -5,7 +5,7 @@ mod record;
 use std::any::Any;
 
 use crate::layout::FrameStats;
-use crate::plan::{FrameInputs, STAGES, Stage};
+use crate::plan::{FrameInputs, Population, STAGES, Stage};
 
 pub use record::{BindingRecord, BufferRecord, DispatchRecord, Groups, KernelRecord, StageRecord};
 
@@ -92,37 +92,6 @@ pub(crate) fn try_copied(words: &[u32], what: &str) -> Result<Vec<u32>, BackendE
     })?;
     copy.extend_from_slice(words);
     Ok(copy)
-}
-
-/// Those whose state a run is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Population {
-    /// Those of all particle systems.
-    Particles,
-    /// Those of all flocks.
-    Boids,
-}
-
-impl Population {
-    /// Each of them.
-    pub const ALL: [Self; 2] = [Self::Particles, Self::Boids];
-
-    /// Its name in tables and of its dumps; also that of its state buffer.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Particles => "particles",
-            Self::Boids => "boids",
-        }
-    }
-
-    /// Index of its first record in digests: equal records of two populations count differently.
-    pub(crate) fn first_index(self) -> u32 {
-        match self {
-            Self::Particles => 0,
-            Self::Boids => 1 << 31,
-        }
-    }
 }
 
 /// Everybody who lives, as words in storage order.

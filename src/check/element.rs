@@ -35,6 +35,17 @@ const PARTICLE: Fields = &[
     ("slot_and_birth_frame", false),
 ];
 
+const BOID: Fields = &[
+    ("position.x", true),
+    ("position.y", true),
+    ("position.z", true),
+    ("flock", false),
+    ("velocity.x", true),
+    ("velocity.y", true),
+    ("velocity.z", true),
+    ("index", false),
+];
+
 const COUNTS: Fields = &[
     ("live", false),
     ("requested", false),
@@ -68,6 +79,7 @@ fn fields(name: &str) -> Fields {
     };
     match (declared.record, declared.count) {
         ("Particle", _) => PARTICLE,
+        ("Boid", _) => BOID,
         ("Counts", _) => COUNTS,
         ("FrameStats", _) => FRAME_STATS,
         (_, Count::Pixels(3)) => CHANNELS,

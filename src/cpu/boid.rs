@@ -41,6 +41,11 @@ pub fn limited(v: Vec3, limit: f32) -> Vec3 {
     v * Vec3::splat(factor)
 }
 
+/// A hash of who a boid is.
+pub fn boid_id(flock: &FlockFrame, index: u32) -> u32 {
+    pcg4d(UVec4::new(flock.members[2], BOID_TAG, index, STREAM_START)).x
+}
+
 /// The boid of that index as the flock begins: anywhere in the region, on its way anywhere.
 pub fn newborn(flock: &FlockFrame, index: u32) -> Motion {
     let [_, _, key, _] = flock.members;

@@ -21,11 +21,9 @@ pub mod wind;
 
 use rayon::prelude::*;
 
-use crate::backend::{
-    Backend, BackendError, Living, Population, available_bytes, try_copied, try_zeroed,
-};
+use crate::backend::{Backend, BackendError, Living, available_bytes, try_copied, try_zeroed};
 use crate::layout::{Counts, FrameStats, Particle, SystemRow};
-use crate::plan::{FrameInputs, Plan, Stage};
+use crate::plan::{FrameInputs, Plan, Population, Stage};
 use flock::Flocks;
 use light::LightSums;
 use particle::{Identity, row_index};

@@ -6,8 +6,8 @@ use super::GpuBackend;
 use super::dispatch::dispatch_for;
 use super::kernel::Kernel;
 use super::shader::Access;
-use crate::backend::{BackendError, Population};
-use crate::plan::{Plan, Stage};
+use crate::backend::BackendError;
+use crate::plan::{Plan, Population, Stage};
 
 /// How a stage uses a kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

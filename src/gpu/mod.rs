@@ -28,9 +28,9 @@ mod yardstick;
 
 use std::collections::{HashMap, VecDeque};
 
-use crate::backend::{Backend, BackendError, Living, Population, StageRecord};
+use crate::backend::{Backend, BackendError, Living, StageRecord};
 use crate::layout::FrameStats;
-use crate::plan::{FrameInputs, Plan, STAGES, Stage};
+use crate::plan::{FrameInputs, Plan, Population, STAGES, Stage};
 use commands::Command;
 use kernel::Kernel;
 use memory::Memory;

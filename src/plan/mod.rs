@@ -10,6 +10,7 @@ mod camera;
 mod curves;
 mod flock;
 mod inputs;
+mod population;
 mod stages;
 mod system;
 mod turned;
@@ -18,6 +19,7 @@ mod wind;
 
 pub use buffers::{BUFFERS, Buffer, BufferRole, Count, buffer};
 pub use inputs::FrameInputs;
+pub use population::Population;
 pub use stages::{STAGES, Stage, StageInfo};
 pub use uses::Uses;
 

@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
 
-use motes::backend::{Backend, BackendError, Living, Population};
+use motes::backend::{Backend, BackendError, Living};
 use motes::cpu::particle::{Appearance, Identity, appearance_of, identity_of, row_index};
 use motes::gpu::GpuOptions;
 use motes::layout::{FrameStats, Particle};
-use motes::plan::{FrameInputs, Plan, Stage};
+use motes::plan::{FrameInputs, Plan, Population, Stage};
 use motes::scene::Scene;
 use motes::simulation::{ParticleState, Simulation};
 

@@ -7,10 +7,10 @@ use clap::Parser;
 
 use super::side::Side;
 use super::{CheckArgs, check_all, jobs};
-use crate::backend::{Backend, BackendError, Living, Population};
+use crate::backend::{Backend, BackendError, Living};
 use crate::cpu::CpuBackend;
 use crate::layout::FrameStats;
-use crate::plan::{FrameInputs, Plan, Stage};
+use crate::plan::{FrameInputs, Plan, Population, Stage};
 
 /// What is wrong with a processor.
 #[derive(Clone, Copy, Debug)]

@@ -4,16 +4,16 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use super::frame::{picture_of, rows_of};
+use super::frame::{dump, picture_of, rows_of};
 use super::interrupt::Interrupt;
 use super::journal::{Finished, Journal};
 use super::summary::Summary;
 use crate::backend::BackendError;
 use crate::cli::{CliError, note, progress_bar};
 use crate::output::{
-    Drawing, FrameSink, OutputTarget, ParticleRecord, Picture, StatsWriter, Written, dump_path,
-    write_particles, write_svg,
+    Drawing, FrameSink, OutputTarget, Picture, StatsWriter, Written, dump_path, write_svg,
 };
+use crate::plan::Population;
 use crate::scene::Scene;
 use crate::simulation::{Simulation, SimulationError};
 
@@ -44,6 +44,8 @@ pub(super) struct Job<'a> {
     pub(super) stats: Option<StatsWriter>,
     pub(super) dumps: &'a [u32],
     pub(super) dump_dir: &'a Path,
+    /// Who is dumped and counted.
+    pub(super) populations: Vec<Population>,
     pub(super) journal: Option<Journal>,
     /// Time between two snapshots in the journal.
     pub(super) snapshot_every: Duration,
@@ -72,7 +74,10 @@ impl Job<'_> {
         frames: &Range<u32>,
         finished: &Finished,
     ) -> Result<Summary, CliError> {
-        let mut summary = Summary::default();
+        let mut summary = Summary {
+            most_live: simulation.plan().boid_count,
+            ..Summary::default()
+        };
         let next = self.take_over(frames, finished, &mut summary)?;
         if next == frames.end || summary.stopped.is_some() {
             return Ok(summary);
@@ -185,7 +190,8 @@ impl Job<'_> {
             _ => files.push(self.target.frame_path(frame)),
         }
         if self.dumps.contains(&frame) {
-            files.push(dump_path(self.dump_dir, "particles", frame));
+            let populations = self.populations.iter();
+            files.extend(populations.map(|it| dump_path(self.dump_dir, it.name(), frame)));
         }
         files
     }
@@ -258,27 +264,14 @@ impl Job<'_> {
             Pictures::Done => {}
         }
         if self.dumps.contains(&frame) {
-            let records: Vec<ParticleRecord> = simulation
-                .particles()?
-                .into_iter()
-                .map(|p| ParticleRecord {
-                    position: p.position,
-                    velocity: p.velocity,
-                    age: p.age,
-                    lifetime: p.lifetime,
-                    system: p.system,
-                    id: p.id,
-                })
-                .collect();
-            write_particles(&dump_path(self.dump_dir, "particles", frame), &records)?;
+            dump(simulation, self.dump_dir, frame)?;
         }
         let mut rows = Vec::new();
         if let Some(stats) = &mut self.stats {
-            let digests = (simulation.state_digest()?, simulation.image_digest()?);
             let lines = simulation.take_statistics()?;
             summary.count(&lines);
             if let Some(line) = lines.iter().rfind(|line| line.frame == frame) {
-                rows = rows_of(line, digests);
+                rows = rows_of(simulation, line)?;
             }
             for row in &rows {
                 stats.line(row)?;

@@ -68,7 +68,9 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
         request::refuse_to_replace(&args, &request, &finished)?;
     }
     for frame in &args.dump {
-        probe(&dump_path(&request.dump_dir, "particles", *frame))?;
+        for population in simulation.plan().populations() {
+            probe(&dump_path(&request.dump_dir, population.name(), *frame))?;
+        }
     }
     let pictures = match target {
         OutputTarget::Svg(path) => {
@@ -94,6 +96,7 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
         stats: args.stats.as_deref().map(StatsWriter::create).transpose()?,
         dumps: &args.dump,
         dump_dir: &request.dump_dir,
+        populations: simulation.plan().populations().collect(),
         journal,
         snapshot_every: Duration::from_secs_f64(args.snapshot_every),
         keeps_states: true,

@@ -9,12 +9,12 @@ use super::interrupt::Interrupt;
 use super::job::{Job, Pictures};
 use super::journal::{Finished, Journal};
 use super::summary::Summary;
-use crate::backend::{Backend, BackendError, Living, Population};
+use crate::backend::{Backend, BackendError, Living};
 use crate::cli::CliError;
 use crate::cpu::CpuBackend;
 use crate::layout::FrameStats;
 use crate::output::{FrameSink, OutputTarget, StatsWriter};
-use crate::plan::{FrameInputs, Plan, Stage};
+use crate::plan::{FrameInputs, Plan, Population, Stage};
 use crate::scene::{self, Scene};
 use crate::simulation::Simulation;
 
@@ -119,6 +119,7 @@ fn render(
         stats: Some(StatsWriter::create(&folder.join("s.csv"))?),
         dumps: &[5],
         dump_dir: folder,
+        populations: vec![Population::Particles],
         journal: Some(journal),
         snapshot_every: Duration::ZERO,
         keeps_states: true,

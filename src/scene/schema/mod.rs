@@ -222,6 +222,14 @@ fn default_mean(toml: &'static str) -> &'static str {
         .unwrap_or(toml)
 }
 
+/// The list of tables that tables of this key stand in, if not in the file itself.
+pub(in crate::scene) fn parent_of(key: &str) -> Option<&'static str> {
+    let has = |fields: &[Field]| fields.iter().any(|field| field.key == key);
+    [("system", SYSTEM), ("flock", FLOCK)]
+        .into_iter()
+        .find_map(|(parent, fields)| has(fields).then_some(parent))
+}
+
 /// The tables around the one with this path, such as `system.jet.speed`, from the outermost on:
 /// each with its header, which is empty for the whole file.
 pub(super) fn around(path: &str) -> Vec<(String, &'static [Field])> {
