@@ -1,7 +1,10 @@
 //! Which features a plan has: kernels leave out what it has none of.
 
 use super::FrameInputs;
-use crate::layout::{PARTICLE_RECTANGLE, PARTICLE_STREAK, SystemFrame, SystemRow, WIND_CURL, Wind};
+use crate::layout::{
+    FlockFrame, PARTICLE_RECTANGLE, PARTICLE_STREAK, Relation, SystemFrame, SystemRow, WIND_CURL,
+    Wind,
+};
 
 macro_rules! uses {
     ($($(#[$doc:meta])* $field:ident $switch:literal;)*) => {
@@ -58,6 +61,24 @@ uses! {
     light_distances "LIGHT_DISTANCES";
     /// A picture of layers.
     layers "LAYERS";
+    /// Boids that look at more others than a loop of a software driver turns.
+    crowds "CROWDS";
+}
+
+/// Turns that loops of an invocation may make in all, with some to spare: software drivers end them
+/// after 65,535.
+const MOST_TURNS: u64 = 60_000;
+
+/// How many boids one of the flock looks at, at most.
+fn sight(flock: &FlockFrame, inputs: &FrameInputs) -> u64 {
+    let [first, count, ..] = flock.ties.map(|word| word as usize);
+    let ties = inputs.relations.iter().skip(first).take(count);
+    let other = |tie: &Relation| inputs.flocks.get(tie.kinds[1] as usize);
+    let own = u64::from(flock.members[1]);
+    ties.filter_map(other)
+        .map(|other| u64::from(other.members[1]))
+        .sum::<u64>()
+        .max(own)
 }
 
 impl Uses {
@@ -68,6 +89,10 @@ impl Uses {
         let winds = inputs.winds.iter().map(Self::of_wind);
         let own = Self {
             layers: !inputs.layer_planes.is_empty(),
+            crowds: inputs
+                .flocks
+                .iter()
+                .any(|flock| sight(flock, inputs) > MOST_TURNS),
             many_systems: inputs.systems.len() > 1,
             many_winds: inputs.winds.len() > 1,
             ..Self::default()

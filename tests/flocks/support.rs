@@ -1,6 +1,6 @@
 //! Scenes of flocks in a few lines, and runs of them.
 
-use motes::backend::Backend;
+use motes::backend::{Backend, Living};
 use motes::layout::Boid;
 use motes::plan::{FrameInputs, Plan, STAGES};
 use motes::scene::Scene;
@@ -64,4 +64,61 @@ pub(crate) fn boids(backend: &mut dyn Backend) -> Vec<Boid> {
 /// A plan of the scene.
 pub(crate) fn plan(scene: &Scene) -> Plan {
     Plan::new(scene, scene.frames).expect("the scene can be planned")
+}
+
+/// A place and a velocity.
+pub(crate) type State = ([f32; 3], [f32; 3]);
+
+/// Puts the boids of the plan's flocks, in order, into these states, as after frame 0.
+pub(crate) fn place(backend: &mut dyn Backend, plan: &Plan, states: &[State]) {
+    let slots = (0..).zip(plan.boid_counts());
+    let ids = slots.flat_map(|(slot, count)| (0..count).map(move |index| (slot, index)));
+    let boids: Vec<Boid> = states
+        .iter()
+        .zip(ids)
+        .map(|((position, velocity), (slot, index))| {
+            let [x, y, z] = position.map(f32::to_bits);
+            let [vx, vy, vz] = velocity.map(f32::to_bits);
+            Boid {
+                position_and_flock: [x, y, z, slot],
+                velocity_and_index: [vx, vy, vz, index],
+            }
+        })
+        .collect();
+    assert_eq!(boids.len(), plan.boid_count as usize, "one state a boid");
+    let living = Living {
+        particles: &[],
+        boids: bytemuck::cast_slice(&boids),
+    };
+    backend
+        .restore(&living, &[plan.inputs(0)])
+        .expect("there is room");
+}
+
+/// The states a frame after these, on the processor.
+pub(crate) fn stepped(plan: &Plan, states: &[State]) -> Vec<State> {
+    let mut cpu = common::on_cpu(plan);
+    place(&mut cpu, plan, states);
+    step(&mut cpu, &plan.inputs(1));
+    states_of(&boids(&mut cpu))
+}
+
+pub(crate) fn states_of(boids: &[Boid]) -> Vec<State> {
+    boids
+        .iter()
+        .map(|boid| (boid.position(), boid.velocity()))
+        .collect()
+}
+
+/// What is left of a flock's `lines` when their `key`s are replaced.
+pub(crate) fn with(lines: &str, keys: &[(&str, &str)]) -> String {
+    let mut lines: Vec<String> = lines.lines().map(str::to_owned).collect();
+    for (key, value) in keys {
+        let starts = |line: &String| line.trim().starts_with(&format!("{key} ="));
+        match lines.iter().position(starts) {
+            Some(at) => lines[at] = format!("{key} = {value}"),
+            None => lines.insert(0, format!("{key} = {value}")),
+        }
+    }
+    lines.join("\n") + "\n"
 }

@@ -9,6 +9,8 @@
 #import motes::layout::{Boid, FlockFrame}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
+// Whether a cell may have more boids than loops of software drivers turn, 65,535.
+const CROWDS: bool = #{CROWDS};
 
 struct Which {
     flock: u32,
@@ -44,8 +46,8 @@ fn sort_into_cells(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let end = cell_starts[cell + 1u];
     var place = start;
     var member = start;
-    // Sixteen a turn: software drivers end loops after 65,535, and a million may be in one cell.
-    for (; member + 16u <= end; member += 16u) {
+    // Sixteen a turn: a million may be in one cell.
+    for (; CROWDS && member + 16u <= end; member += 16u) {
         place += four_before(member, boid) + four_before(member + 4u, boid)
             + four_before(member + 8u, boid) + four_before(member + 12u, boid);
     }

@@ -15,6 +15,8 @@
 #import motes::steering::{Perceived, answer, nothing, perceiving}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
+// Whether boids may look at more others than loops of software drivers turn, 65,535.
+const CROWDS: bool = #{CROWDS};
 
 struct Which {
     flock: u32,
@@ -60,12 +62,12 @@ fn visited_four(perceived: Perceived, view: View, at: u32) -> Perceived {
     return visited(visited(two, view, at + 2u), view, at + 3u);
 }
 
-// What is perceived with the boids of sorted places from .x up to .y. Sixteen a turn: software
-// drivers end loops after 65,535, and a million may be in one cell.
+// What is perceived with the boids of sorted places from .x up to .y; of crowds, sixteen a turn, for
+// a million may be in one cell.
 fn visited_all(perceived: Perceived, view: View, range: vec2<u32>) -> Perceived {
     var all = perceived;
     var at = range.x;
-    for (; at + 16u <= range.y; at += 16u) {
+    for (; CROWDS && at + 16u <= range.y; at += 16u) {
         let eight = visited_four(visited_four(all, view, at), view, at + 4u);
         all = visited_four(visited_four(eight, view, at + 8u), view, at + 12u);
     }

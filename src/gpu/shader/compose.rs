@@ -56,6 +56,7 @@ pub(super) const SWITCHES: &[&str] = &[
     "RECTANGLES",
     "LIGHT_DISTANCES",
     "LAYERS",
+    "CROWDS",
 ];
 
 /// A composed and validated module.

@@ -3,7 +3,8 @@
 use crate::scene::read::{Reader, Spot};
 use crate::scene::{Corners, Dimensions, Edges, Flock, SceneError};
 
-/// Boids of all flocks at most: an invocation of a software driver looks at no more neighbours.
+/// Boids of all flocks at most, and boids that one looks at: more turns than those take has no loop
+/// of a software driver.
 const MOST_BOIDS: u64 = 1_000_000;
 
 /// There are not too many boids, and nobody sees a boid twice around a torus.
@@ -15,6 +16,20 @@ pub(in crate::scene) fn boids(flocks: &[Flock], spot: &Spot<'_>) -> Result<(), S
         return Err(spot.node.at.error(what, help));
     }
     for flock in flocks {
+        let others = flock
+            .relations
+            .iter()
+            .map(|tie| u64::from(flocks[tie.other].count));
+        let seen: u64 = others.sum();
+        if seen > MOST_BOIDS {
+            let what = format!(
+                "a boid of `flock.{}` may look at {seen} boids, relation by relation, too many",
+                flock.name
+            );
+            let help =
+                format!("relations to flocks of at most {MOST_BOIDS} boids, each counted anew");
+            return Err(spot.node.at.error(what, help));
+        }
         for (at, relation) in flock.relations.iter().enumerate() {
             let other = &flocks[relation.other];
             let Edges::Torus(Corners { min, max }) = other.edges else {
