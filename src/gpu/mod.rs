@@ -22,6 +22,8 @@ mod record;
 mod restore;
 mod run;
 pub mod shader;
+pub mod sort;
+mod tiling;
 mod timing;
 mod watch;
 mod yardstick;
@@ -31,11 +33,12 @@ use std::collections::{HashMap, VecDeque};
 use crate::backend::{Backend, BackendError, StageRecord};
 use crate::layout::FrameStats;
 use crate::plan::{FrameInputs, Plan, STAGES, Stage};
-use commands::Command;
+use commands::{Command, is_of_covers};
 use kernel::Kernel;
 use memory::Memory;
 use options::switches_off;
 use readback::StatisticsRing;
+use tiling::Tiling;
 use timing::Timer;
 
 pub use adapter::{AdapterDescription, adapters, open};
@@ -63,6 +66,7 @@ pub struct GpuBackend {
     curve_points: Vec<[f32; 4]>,
     width: u32,
     height: u32,
+    has_covers: bool,
     /// Which pool holds the particles.
     current: usize,
     /// Whether newborns stand behind the living: between emit and advance.
@@ -120,7 +124,20 @@ impl GpuBackend {
         } else {
             options.page_bytes
         };
-        let memory = Memory::new(gpu, plan, most_page_bytes)?;
+        if !options.tile_px.is_multiple_of(4) || options.tile_px > 256 {
+            return Err(BackendError::Unsupported(format!(
+                "tiles of {} pixels: they are 4 to 256, a multiple of 4",
+                options.tile_px
+            )));
+        }
+        if !options.cover_slice.is_multiple_of(1024) || options.cover_slice > 32_768 {
+            return Err(BackendError::Unsupported(format!(
+                "{} records at a time: they are 1,024 to 32,768, a multiple of 1,024",
+                options.cover_slice
+            )));
+        }
+        let tiling = Tiling::new(plan, options);
+        let memory = Memory::new(gpu, plan, most_page_bytes, tiling)?;
         let mut kernels = HashMap::new();
         let off = switches_off(plan);
         let exact = gpu.description.exact && !options.plain;
@@ -129,7 +146,14 @@ impl GpuBackend {
         } else {
             KernelForm::Wgsl
         };
+        let left_out = |kernel: &str| {
+            let of = STAGE_KERNELS.iter().find(|one| one.kernel == kernel);
+            !plan.uses.covers && of.is_some_and(|one| is_of_covers(one.stage))
+        };
         for source in shader::sources::KERNELS {
+            if left_out(source.name) {
+                continue;
+            }
             let mutate = mutation
                 .filter(|mutation| mutation.kernel == source.name)
                 .map(|mutation| mutation.change);
@@ -160,6 +184,7 @@ impl GpuBackend {
             curve_points: plan.curve_points.clone(),
             width: plan.width,
             height: plan.height,
+            has_covers: plan.uses.covers,
             current: 0,
             newborns_present: false,
             ring: StatisticsRing::default(),
@@ -247,7 +272,11 @@ impl Backend for GpuBackend {
     }
 
     fn draw(&mut self, inputs: &FrameInputs) -> Result<(), BackendError> {
-        self.watched(|run| run.submit(&[Stage::Splat, Stage::Resolve], inputs))
+        let stages: Vec<Stage> = STAGES
+            .iter()
+            .filter_map(|info| info.draws.then_some(info.stage))
+            .collect();
+        self.watched(|run| run.submit(&stages, inputs))
     }
 
     fn read(&mut self, buffer: &str) -> Result<Vec<u32>, BackendError> {

@@ -20,7 +20,7 @@ pub use inputs::FrameInputs;
 pub use stages::{STAGES, Stage, StageInfo};
 pub use uses::Uses;
 
-use crate::scene::{Scene, Track};
+use crate::scene::{Blend, Scene, Track};
 
 /// Why a scene cannot become a plan: it is the scene's fault, and the message says what to change.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -197,6 +197,11 @@ impl Plan {
         inputs::frame_inputs(self, self.scene_at(frame), frame)
     }
 
+    /// Records of what covers, at most: one a particle, if any particle covers.
+    pub fn cover_capacity(&self) -> u32 {
+        if self.uses.covers { self.capacity } else { 0 }
+    }
+
     /// Names of the picture's layers: those of the scene and `rest`; `particles` alone if the scene
     /// has none.
     pub fn layer_names(&self) -> Vec<String> {
@@ -241,8 +246,13 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
             .map(|system| system.name.clone())
             .collect()
     };
+    let blends = |scene: &Scene| -> Vec<Blend> {
+        let systems = scene.systems.iter();
+        systems.map(|system| system.blend).collect()
+    };
     let fixed = |scene: &Scene| {
         (
+            blends(scene),
             scene.image.width,
             scene.image.height,
             scene.seed,
@@ -256,8 +266,8 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
                 "the change at frame {} alters what holds for a whole run",
                 turn.frame
             ),
-            help: "the list of systems and their names, the number of layers, the image size, the seed \
-                   and the capacity stay as the scene has them"
+            help: "the list of systems, their names and `blend`, the number of layers, the image size, \
+                   the seed and the capacity stay as the scene has them"
                 .into(),
         });
     }

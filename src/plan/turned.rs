@@ -13,7 +13,12 @@ impl Plan {
     /// Makes room for turns that are not known yet, up to twice the lifetimes that are. To be done
     /// before a backend begins with it; changes no bit of the result.
     pub fn make_editable(&mut self) {
-        self.uses = Uses::all();
+        // What covers is fixed for a whole run: its buffers are large.
+        self.uses = Uses {
+            covers: self.uses.covers,
+            triangles: self.uses.triangles,
+            ..Uses::all()
+        };
         let rows = (self.lifetime_bound.saturating_add(1)).saturating_mul(2);
         let rows = rows.clamp(LEAST_ROWS, MOST_ROWS).next_power_of_two();
         self.row_count = self.row_count.max(rows);

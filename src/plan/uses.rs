@@ -1,7 +1,9 @@
 //! Which features a plan has: kernels leave out what it has none of.
 
 use super::FrameInputs;
-use crate::layout::{PARTICLE_RECTANGLE, PARTICLE_STREAK, SystemFrame, SystemRow, WIND_CURL, Wind};
+use crate::layout::{
+    PARTICLE_RECTANGLE, PARTICLE_STREAK, ROW_OVER, SystemFrame, SystemRow, WIND_CURL, Wind,
+};
 
 macro_rules! uses {
     ($($(#[$doc:meta])* $field:ident $switch:literal;)*) => {
@@ -58,6 +60,10 @@ uses! {
     light_distances "LIGHT_DISTANCES";
     /// A picture of layers.
     layers "LAYERS";
+    /// What covers what is behind it.
+    covers "COVERS";
+    /// Covering triangles.
+    triangles "TRIANGLES";
 }
 
 impl Uses {
@@ -83,6 +89,7 @@ impl Uses {
             streaks: row.kinds[1] == PARTICLE_STREAK,
             rectangles: row.kinds[1] == PARTICLE_RECTANGLE,
             light_distances: row.ejection_and_light[2] > 0.0,
+            covers: row.kinds[3] & ROW_OVER != 0,
             ..Self::default()
         }
     }

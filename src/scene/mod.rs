@@ -35,9 +35,11 @@ pub use extinction::{Extinction, Side};
 pub use generation::{Attractor, EjectionAxis, EjectionSpread, GenerationShape};
 pub use knobs::{Knob, KnobValue, knobs};
 pub use parse::parse;
-pub use picture::{Camera, Image, Layer, Projection, ShutterWeighting};
+pub use picture::{Camera, Image, Layer, Light, Projection, ShutterWeighting};
 pub(crate) use set::Set;
-pub use system::{Integration, Intensity, ParticleShape, ParticleSpace, StreakLight, System};
+pub use system::{
+    Blend, Integration, Intensity, ParticleShape, ParticleSpace, Shading, StreakLight, System,
+};
 pub use tracks::{Interpolation, Key, Owner, Track};
 pub use wind::{Turbulence, Wind};
 
@@ -82,6 +84,8 @@ pub struct Scene {
     pub image: Image,
     /// The viewer.
     pub camera: Camera,
+    /// What covering particles reflect.
+    pub light: Light,
     /// The particle systems, in the order of the file, at least one, at most 1,024; names unique.
     pub systems: Vec<System>,
     /// The parts of the wind, at most 16; it is their sum.

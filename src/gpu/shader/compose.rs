@@ -56,6 +56,8 @@ pub(super) const SWITCHES: &[&str] = &[
     "RECTANGLES",
     "LIGHT_DISTANCES",
     "LAYERS",
+    "COVERS",
+    "TRIANGLES",
 ];
 
 /// A composed and validated module.

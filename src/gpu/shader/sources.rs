@@ -41,6 +41,10 @@ pub static LIBRARIES: &[Source] = sources![
     "lib/projection",
     "lib/footprint",
     "lib/sprite",
+    "lib/cover",
+    "lib/shape",
+    "lib/sort",
+    "lib/tile",
 ];
 
 /// Kernels, in the order of the frame.
@@ -56,6 +60,16 @@ pub static KERNELS: &[Source] = sources![
     "scan/spread_bits",
     "scan/pages",
     "particles/advance",
+    "draw/shapes",
+    "draw/cover_work",
+    "draw/cover_keys",
+    "sort/count_digits",
+    "sort/sum_digits",
+    "sort/start_digits",
+    "sort/place_digits",
+    "draw/clear_tiles",
+    "draw/bin",
+    "draw/cover",
     "draw/splat",
     "draw/large_work",
     "draw/splat_large",

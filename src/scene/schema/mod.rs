@@ -10,7 +10,7 @@ mod markdown;
 mod rows;
 
 pub use json::json_schema;
-pub use keys::{BURST, CAMERA, IMAGE, LAYER, SCENE, SYSTEM};
+pub use keys::{BURST, CAMERA, IMAGE, LAYER, LIGHT, SCENE, SYSTEM};
 pub use kinds::{EXTINCTIONS, GENERATION_SHAPES, WINDS};
 pub use markdown::reference_page;
 
