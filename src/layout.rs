@@ -120,6 +120,10 @@ shared_constants! {
     pub const ROW_LIT_SPHERE: u32 = 64;
     /// How soft their edge is stands above this bit, in 65,535ths.
     pub const ROW_SOFTNESS_SHIFT: u32 = 16;
+    /// Word of `cover_counts`: records of something.
+    pub const COVERS_SEEN: u32 = 0;
+    /// Records of particles.
+    pub const COVERS_OF_PARTICLES: u32 = 1;
     /// [`Cover::shape`]`[2]`: nothing is covered.
     pub const COVER_NONE: u32 = 0;
     /// A disc.
@@ -214,7 +218,12 @@ pub struct SystemFrame {
 }
 
 /// Something that covers what is behind it, as it is seen: a family's `shapes` stage writes one for
-/// each that it has, in the order of their identities. Floats are bits.
+/// each that it has (`wgsl/lib/shape.wgsl` makes them), in the order of their identities. Floats are
+/// bits.
+///
+/// Families stand one after the other in `covers`: a family writes how many records it has into its
+/// word of `cover_counts` (`COVERS_OF_` constants), begins behind those of the words before, and adds
+/// how many of its records are of something to word 0. Of equal depth, what comes later is in front.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 pub struct Cover {

@@ -154,6 +154,18 @@ impl GpuBackend {
         })
     }
 
+    /// Puts words at the beginning of a buffer, which holds at least as many: a stage can then be run on
+    /// what no scene leads to. The pools are not among the buffers.
+    ///
+    /// # Errors
+    /// There is no such buffer, or the device fails.
+    pub fn write(&mut self, buffer: &str, words: &[u32]) -> Result<(), BackendError> {
+        self.stepped(|run| {
+            let place = run.memory.named(buffer)?;
+            run.gpu.write(place, 0, bytemuck::cast_slice(words))
+        })
+    }
+
     /// The plan's run from its beginning, with every buffer zero, and with `changed`, which must
     /// bind the same, in place of the kernel of its name.
     ///

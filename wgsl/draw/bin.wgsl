@@ -7,7 +7,7 @@
 
 #import motes::cover::bounds_of
 #import motes::dispatch::linear_index
-#import motes::layout::{Cover, Frame}
+#import motes::layout::{COVERS_SEEN, Cover, Frame}
 #import motes::tile::{Tiling, records_of_round, summaries_a_tile, words_a_tile}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
@@ -26,7 +26,7 @@ var<immediate> tiling: Tiling;
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn bin(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let rank = linear_index(global_id, WORKGROUP_SIZE);
-    if rank >= records_of_round(tiling, tiling.round, cover_counts[0]) {
+    if rank >= records_of_round(tiling, tiling.round, cover_counts[COVERS_SEEN]) {
         return;
     }
     let from_near = tiling.round * tiling.slice + rank;

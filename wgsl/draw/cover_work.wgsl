@@ -7,7 +7,7 @@
 // that every pixel is written.
 
 #import motes::dispatch::{dispatch_for, first_spare}
-#import motes::layout::{Dispatch, Frame}
+#import motes::layout::{COVERS_OF_PARTICLES, COVERS_SEEN, Dispatch, Frame}
 #import motes::sort::runs_of
 #import motes::tile::{Tiling, fours_a_tile, records_of_round, summaries_a_tile}
 
@@ -25,7 +25,7 @@ var<immediate> tiling: Tiling;
 @compute @workgroup_size(1)
 fn cover_work() {
     var records = 0u;
-    for (var family = 1u; family < FAMILIES_END; family += 1u) {
+    for (var family = COVERS_OF_PARTICLES; family < FAMILIES_END; family += 1u) {
         records += cover_counts[family];
     }
     sort_count[0] = records;
@@ -34,7 +34,7 @@ fn cover_work() {
     dispatches[first + 1u] = dispatch_for(records, WORKGROUP_SIZE);
     let tiles = tiling.across * tiling.down;
     for (var round = 0u; round < tiling.rounds; round += 1u) {
-        let here = records_of_round(tiling, round, cover_counts[0]);
+        let here = records_of_round(tiling, round, cover_counts[COVERS_SEEN]);
         let runs = here > 0u || round == 0u;
         let place = first + 2u + 3u * round;
         let summaries = select(0u, tiles * summaries_a_tile(tiling), runs);

@@ -10,7 +10,7 @@
 #import motes::exact::{dot3, f32_of_u32, less}
 #import motes::footprint::is_visible
 #import motes::layout::{
-    COVER_NONE, Counts, Cover, Frame, Particle, ROW_LIT_SPHERE, ROW_OVER, ROW_SOFTNESS_SHIFT,
+    COVERS_OF_PARTICLES, COVERS_SEEN, COVER_NONE, Counts, Cover, Frame, Particle, ROW_LIT_SPHERE, ROW_OVER, ROW_SOFTNESS_SHIFT,
     SystemFrame, SystemRow,
 }
 #import motes::particle::{age_of, row_index, slot_of}
@@ -79,7 +79,7 @@ fn shapes(@builtin(global_invocation_id) global_id: vec3<u32>) {
         return;
     }
     if page_start + at == 0u {
-        atomicStore(&cover_counts[1], counts.live);
+        atomicStore(&cover_counts[COVERS_OF_PARTICLES], counts.live);
     }
     let particle = particles[at];
     let birth = particle.velocity_and_birth.w;
@@ -93,7 +93,7 @@ fn shapes(@builtin(global_invocation_id) global_id: vec3<u32>) {
     var cover = Cover(vec4<u32>(0u), vec4<u32>(0u, 0u, COVER_NONE, 0u), vec4<u32>(0u), vec4<u32>(0u));
     if is_seen {
         cover = cover_of(sprite, row.kinds.w);
-        atomicAdd(&cover_counts[0], 1u);
+        atomicAdd(&cover_counts[COVERS_SEEN], 1u);
     }
     covers[page_start + at] = cover;
 }

@@ -120,6 +120,10 @@ struct Cover {
     lit: vec4<u32>,
 }
 
+// Words of cover_counts: records of something; records of each family, which stand in covers one
+// family after the other.
+const COVERS_SEEN: u32 = 0u;
+const COVERS_OF_PARTICLES: u32 = 1u;
 // Cover.shape.z: nothing, a disc, a disc with a smooth edge of its own width, a square along the
 // axes, a segment with round ends, a triangle.
 const COVER_NONE: u32 = 0u;
