@@ -8,7 +8,7 @@ use motes::gpu::shader::sources::{KERNELS, LIBRARIES, YARDSTICKS};
 use motes::gpu::shader::{self, Access, CompileOptions, CompiledKernel};
 use motes::gpu::{STAGE_KERNELS, check_binding};
 use motes::layout::{
-    self, Boid, Bound, Counts, Dispatch, FlockFrame, Frame, FrameStats, Particle, Relation,
+    self, Boid, Bound, Counts, Cover, Dispatch, FlockFrame, Frame, FrameStats, Particle, Relation,
     SystemFrame, SystemRow, Wind,
 };
 use motes::plan::{BUFFERS, BufferRole, STAGES, Uses, buffer};
@@ -92,6 +92,9 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             closing_view_from_world_y,
             closing_view_from_world_z,
             background,
+            light_from,
+            light_color,
+            ambient_color,
             focal_px,
             closing_focal_px,
             center_x_px,
@@ -133,6 +136,12 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             died_of_intensity,
             died_of_bounds
         }),
+        rust_layout!(Cover {
+            points,
+            shape,
+            color,
+            lit
+        }),
         rust_layout!(Dispatch { x, y, z }),
         rust_layout!(Boid {
             position_and_flock,
@@ -152,6 +161,7 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             grid,
             members,
             ties,
+            drawn,
         }),
         rust_layout!(Relation {
             kinds,
@@ -232,6 +242,9 @@ fn constants_agree_bit_for_bit() {
         motes::cpu::wind::CONSTANTS,
         motes::area::CONSTANTS,
         motes::noise::CONSTANTS,
+        motes::cpu::cover::CONSTANTS,
+        motes::cpu::draw::shapes::CONSTANTS,
+        motes::gpu::sort::CONSTANTS,
         layout::CONSTANTS,
         layout::flock::CONSTANTS,
         motes::cpu::boid::CONSTANTS,
@@ -245,6 +258,7 @@ fn constants_agree_bit_for_bit() {
         ("DIES_OF_INTENSITY", Fate::DiesOfIntensity as u32),
         ("DIES_OF_BOUNDS", Fate::DiesOfBounds as u32),
         ("DISPATCH_WIDTH", motes::gpu::dispatch::DISPATCH_WIDTH),
+        ("FAMILIES_END", buffer_len("cover_counts")),
         ("STATISTICS_LEN", buffer_len("statistics")),
     ])
     .collect();

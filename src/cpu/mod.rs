@@ -4,6 +4,7 @@
 //! digests are plain Rust, so that the two sides are not one translation.
 
 pub mod boid;
+pub mod cover;
 mod digest;
 pub mod draw;
 pub mod emission;
@@ -14,6 +15,7 @@ pub mod light;
 pub mod particle;
 pub mod particles;
 pub mod projection;
+pub mod shape;
 pub(crate) mod sprite;
 pub mod steering;
 pub mod systems;
@@ -22,7 +24,7 @@ pub mod wind;
 use rayon::prelude::*;
 
 use crate::backend::{Backend, BackendError, Living, available_bytes, try_copied, try_zeroed};
-use crate::layout::{Counts, FrameStats, Particle, SystemRow};
+use crate::layout::{COVER_NONE, Counts, Cover, FrameStats, Particle, SystemRow};
 use crate::plan::{FrameInputs, Plan, Population, Stage};
 use flock::Flocks;
 use light::LightSums;
@@ -49,6 +51,11 @@ pub struct CpuBackend {
     curve_points: Vec<[f32; 4]>,
     flocks: Flocks,
     light: LightSums,
+    /// Whether anything covers; if not, what follows is empty.
+    has_covers: bool,
+    covers: Vec<Cover>,
+    cover_rg: Vec<[u32; 2]>,
+    cover_bt: Vec<[u32; 2]>,
     image: Vec<u32>,
     statistics: Vec<FrameStats>,
     threads: Option<rayon::ThreadPool>,
@@ -74,6 +81,7 @@ impl CpuBackend {
             })?;
         let rows = plan.system_count as usize * plan.row_count as usize;
         let pixels = plan.width as usize * plan.height as usize;
+        let covered_pixels = if plan.uses.covers { pixels } else { 0 };
         Ok(Self {
             rows: try_zeroed(rows, "parameter rows")?,
             birth_counts: Vec::new(),
@@ -86,6 +94,10 @@ impl CpuBackend {
             curve_points: plan.curve_points.clone(),
             flocks: Flocks::new(plan)?,
             light: LightSums::new(plan.width, plan.height),
+            has_covers: plan.uses.covers,
+            covers: Vec::new(),
+            cover_rg: try_zeroed(covered_pixels, "covered pixels")?,
+            cover_bt: try_zeroed(covered_pixels, "covered pixels")?,
             image: try_zeroed(pixels, "pixels")?,
             statistics: Vec::new(),
             threads: threads.map(pool).transpose()?,
@@ -104,6 +116,18 @@ impl CpuBackend {
             Stage::Hatch => self.flocks.hatch(inputs),
             Stage::Cells => self.flocks.sort(inputs),
             Stage::Steer => self.flocks.steer(inputs),
+            Stage::Shapes if self.has_covers => {
+                let rows = &self.rows;
+                let records = self.particles.par_iter().with_min_len(CHUNK / 8);
+                let record = |particle| draw::shapes::shapes(particle, inputs, rows);
+                records.map(record).collect_into_vec(&mut self.covers);
+                self.flocks.shapes(inputs, &mut self.covers);
+            }
+            Stage::Cover if self.has_covers => {
+                let (rg, bt) = (&mut self.cover_rg, &mut self.cover_bt);
+                draw::cover::cover(&self.covers, &inputs.frame, rg, bt);
+            }
+            Stage::Shapes | Stage::Cover => {}
             Stage::Splat => {
                 self.light.clear();
                 let (rows, light) = (&self.rows, &self.light);
@@ -115,12 +139,14 @@ impl CpuBackend {
             }
             Stage::Resolve => {
                 let light = &self.light;
+                let (rg, bt) = (&self.cover_rg, &self.cover_bt);
                 self.image
                     .par_iter_mut()
                     .with_min_len(4096)
                     .enumerate()
                     .for_each(|(pixel, out)| {
-                        *out = draw::resolve::resolve(&inputs.frame, light, pixel)
+                        let covers = rg.get(pixel).copied().zip(bt.get(pixel).copied());
+                        *out = draw::resolve::resolve(&inputs.frame, light, covers, pixel)
                     });
             }
         }
@@ -241,6 +267,19 @@ impl CpuBackend {
     }
 }
 
+impl CpuBackend {
+    /// How many records are of something, how many there are of particles, and of boids; room for
+    /// more.
+    fn cover_counts(&self) -> Vec<u32> {
+        let is_something = |cover: &&Cover| cover.shape[2] != COVER_NONE;
+        let something = self.covers.iter().filter(is_something).count();
+        let of_particles = self.particles.len().min(self.covers.len());
+        let of_boids = self.covers.len() - of_particles;
+        let counts = [something, of_particles, of_boids, 0, 0, 0, 0, 0];
+        counts.map(|count| count as u32).to_vec()
+    }
+}
+
 /// Resizes a pool without aborting the program when memory runs out.
 fn grow(pool: &mut Vec<Particle>, len: usize) -> Result<(), BackendError> {
     let failed = || BackendError::OutOfMemory(format!("a pool of {len} particles"));
@@ -291,6 +330,10 @@ impl Backend for CpuBackend {
             "boid_cells" => self.flocks.cells.clone(),
             "cell_starts" => self.flocks.starts.clone(),
             "sorted_boids" => try_copied(bytemuck::cast_slice(&self.flocks.sorted), "the boids")?,
+            "covers" => try_copied(bytemuck::cast_slice(&self.covers), "what covers")?,
+            "cover_counts" => self.cover_counts(),
+            "cover_rg" => bytemuck::cast_slice(&self.cover_rg).to_vec(),
+            "cover_bt" => bytemuck::cast_slice(&self.cover_bt).to_vec(),
             "light_low" => (0..self.light.len())
                 .map(|at| self.light.limbs(at).0)
                 .collect(),

@@ -22,6 +22,8 @@ mod record;
 mod restore;
 mod run;
 pub mod shader;
+pub mod sort;
+mod tiling;
 mod timing;
 mod watch;
 mod yardstick;
@@ -36,6 +38,7 @@ use kernel::Kernel;
 use memory::Memory;
 use options::switches_off;
 use readback::StatisticsRing;
+use tiling::Tiling;
 use timing::Timer;
 
 pub use adapter::{AdapterDescription, adapters, open};
@@ -65,6 +68,7 @@ pub struct GpuBackend {
     cell_count: u32,
     width: u32,
     height: u32,
+    has_covers: bool,
     /// Which pool holds the particles.
     current: usize,
     /// Whether newborns stand behind the living: between emit and advance.
@@ -122,7 +126,20 @@ impl GpuBackend {
         } else {
             options.page_bytes
         };
-        let memory = Memory::new(gpu, plan, most_page_bytes)?;
+        if !options.tile_px.is_multiple_of(4) || options.tile_px > 256 {
+            return Err(BackendError::Unsupported(format!(
+                "tiles of {} pixels: they are 4 to 256, a multiple of 4",
+                options.tile_px
+            )));
+        }
+        if !options.cover_slice.is_multiple_of(1024) || options.cover_slice > 32_768 {
+            return Err(BackendError::Unsupported(format!(
+                "{} records at a time: they are 1,024 to 32,768, a multiple of 1,024",
+                options.cover_slice
+            )));
+        }
+        let tiling = Tiling::new(plan, options);
+        let memory = Memory::new(gpu, plan, most_page_bytes, tiling)?;
         let mut kernels = HashMap::new();
         let off = switches_off(plan);
         let exact = gpu.description.exact && !options.plain;
@@ -167,6 +184,7 @@ impl GpuBackend {
             cell_count: plan.cell_count,
             width: plan.width,
             height: plan.height,
+            has_covers: plan.uses.covers,
             current: 0,
             newborns_present: false,
             ring: StatisticsRing::default(),

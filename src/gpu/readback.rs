@@ -7,7 +7,7 @@ use super::GpuBackend;
 use super::device::GpuDevice;
 use super::memory::Memory;
 use crate::backend::BackendError;
-use crate::layout::{Boid, FrameStats};
+use crate::layout::{Boid, Cover, FrameStats};
 
 /// Lines in the device's ring; `wgsl/scan/survivors.wgsl` has the same.
 pub(super) const STATISTICS_LEN: u32 = 256;
@@ -71,10 +71,25 @@ impl GpuBackend {
             "cell_starts" => u64::from(self.cell_count) + 1,
             "deaths" => 2,
             "image" => pixels,
+            "covers" => self.cover_records()? * (size_of::<Cover>() / 4) as u64,
+            "cover_counts" => 8,
+            "cover_rg" | "cover_bt" if self.has_covers => pixels * 2,
+            "cover_rg" | "cover_bt" => 0,
             "light_low" | "light_high" => pixels * 3,
             _ => whole.size() / 4,
         };
         words(&self.gpu, whole, records * 4)
+    }
+}
+
+impl GpuBackend {
+    /// How many records of what covers there are.
+    fn cover_records(&self) -> Result<u64, BackendError> {
+        let counts = words(&self.gpu, self.memory.named("cover_counts")?, 32)?;
+        let [_, of_families @ ..] = counts.as_slice() else {
+            return Ok(0);
+        };
+        Ok(of_families.iter().map(|count| u64::from(*count)).sum())
     }
 }
 

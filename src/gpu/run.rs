@@ -61,8 +61,8 @@ impl GpuBackend {
         for &stage in stages.iter().filter(|stage| stage.is_due(inputs)) {
             let all = &self.commands[self.current][&stage];
             let begins = all.first().is_some_and(|first| wanted(first.kernel));
-            if stage == Stage::Splat && begins {
-                self.memory.clear_light(&mut encoder)?;
+            if begins {
+                self.memory.begin(stage, &mut encoder)?;
             }
             let dispatches = self.memory.named("dispatches")?;
             let commands = all.iter().filter(|command| wanted(command.kernel));

@@ -101,6 +101,9 @@ pub struct FlockFrame {
     /// First relation and how many; 1 if headings are in space, not in a plane; what boids look
     /// like (`BOID_` constants).
     pub ties: [u32; 4],
+    /// First record of what covers, among those of boids; records a boid: 0, 1, or 2 where it is
+    /// drawn at -x again; the others unused.
+    pub drawn: [u32; 4],
 }
 
 /// What one flock makes of another.

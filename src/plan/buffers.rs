@@ -2,8 +2,8 @@
 
 use super::Plan;
 use crate::layout::{
-    Boid, Bound, Counts, Dispatch, FlockFrame, Frame, FrameStats, Particle, Relation, SystemFrame,
-    SystemRow, Wind,
+    Boid, Bound, Counts, Cover, Dispatch, FlockFrame, Frame, FrameStats, Particle, Relation,
+    SystemFrame, SystemRow, Wind,
 };
 
 /// What a buffer is for.
@@ -50,7 +50,11 @@ pub enum Count {
     },
     /// So many a pixel, for pixels in whole fours.
     Pixels(u32),
-    /// A list of the backend's pages.
+    /// One for each record of what may cover.
+    Covers,
+    /// So many a pixel, in whole fours, if anything covers.
+    CoveredPixels(u32),
+    /// A list of the backend's.
     Backend,
 }
 
@@ -226,6 +230,24 @@ pub static BUFFERS: &[Buffer] = {
             size_of::<Boid>(),
             Count::Boids,
         ),
+        buffer_of("covers", State, "Cover", size_of::<Cover>(), Count::Covers),
+        buffer_of("cover_counts", State, "u32", 4, Count::Fixed(8)),
+        buffer_of(
+            "ranked_covers",
+            Scratch,
+            "Cover",
+            size_of::<Cover>(),
+            Count::Backend,
+        ),
+        buffer_of("tile_bits", Scratch, "u32", 4, Count::Backend),
+        buffer_of("tile_summaries", Scratch, "u32", 4, Count::Backend),
+        buffer_of("cover_rg", State, "vec2<u32>", 8, Count::CoveredPixels(1)),
+        buffer_of("cover_bt", State, "vec2<u32>", 8, Count::CoveredPixels(1)),
+        buffer_of("sort_count", Scratch, "u32", 4, Count::Fixed(4)),
+        buffer_of("sort_pairs", Scratch, "vec2<u32>", 8, Count::Covers),
+        buffer_of("sorted_pairs", Scratch, "vec2<u32>", 8, Count::Covers),
+        buffer_of("digit_counts", Scratch, "u32", 4, Count::Backend),
+        buffer_of("digit_starts", Scratch, "u32", 4, Count::Fixed(256)),
         buffer_of("light_low", State, "u32", 4, Count::Pixels(3)),
         buffer_of("light_high", State, "u32", 4, Count::Pixels(3)),
         buffer_of("large_particles", Scratch, "u32", 4, Count::Backend),
@@ -252,6 +274,11 @@ impl Buffer {
             Count::Relations => plan.relation_count,
             Count::Boids => plan.boid_count,
             Count::Cells { over, extra } => plan.cell_count.div_ceil(over) + extra,
+            Count::Covers => plan.cover_capacity(),
+            Count::CoveredPixels(each) if plan.uses.covers => {
+                (plan.width * plan.height).next_multiple_of(4) * each
+            }
+            Count::CoveredPixels(_) => 0,
             Count::Pixels(each) => (plan.width * plan.height).next_multiple_of(4) * each,
             Count::Backend => return None,
         })

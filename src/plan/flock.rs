@@ -26,7 +26,7 @@ impl Grid {
     /// no more of them than boids. A flock that nobody looks at has one.
     fn of(scene: &Scene, slot: usize) -> Self {
         let flock = &scene.flocks[slot];
-        let corners = corners_of(flock.edges).unwrap_or(flock.region);
+        let corners = flat(flock, corners_of(flock.edges).unwrap_or(flock.region));
         let looks = scene.flocks.iter().flat_map(|other| {
             let ties = other.relations.iter().filter(|tie| tie.other == slot);
             ties.map(|tie| tie.radius.unwrap_or(other.perception_radius))
@@ -73,6 +73,22 @@ impl Grid {
     }
 }
 
+/// The vector, without a depth where the flock has none.
+fn flattened(flock: &Flock, [x, y, z]: [f32; 3]) -> [f32; 3] {
+    match flock.dimensions {
+        Dimensions::Two => [x, y, 0.0],
+        Dimensions::Three => [x, y, z],
+    }
+}
+
+/// The corners, without a depth where the flock has none.
+fn flat(flock: &Flock, Corners { min, max }: Corners) -> Corners {
+    Corners {
+        min: flattened(flock, min),
+        max: flattened(flock, max),
+    }
+}
+
 fn corners_of(edges: Edges) -> Option<Corners> {
     match edges {
         Edges::None => None,
@@ -91,7 +107,7 @@ pub(super) fn cell_count(scene: &Scene) -> u32 {
 pub(super) fn flocks_of(scene: &Scene) -> (Vec<FlockFrame>, Vec<layout::Relation>) {
     let mut flocks = Vec::new();
     let mut relations = Vec::new();
-    let (mut first_boid, mut first_cell) = (0, 0);
+    let (mut first_boid, mut first_cell, mut first_cover) = (0, 0, 0);
     for (slot, flock) in scene.flocks.iter().enumerate() {
         let grid = Grid::of(scene, slot);
         let frame = flock_frame(flock, &grid, scene.seed);
@@ -103,10 +119,12 @@ pub(super) fn flocks_of(scene: &Scene) -> (Vec<FlockFrame>, Vec<layout::Relation
             grid: [cells_x, cells_y, cells_z, first_cell],
             members: [first_boid, count, key, edges],
             ties: [relations.len() as u32, ties, in_space, shape],
+            drawn: [first_cover, faces(flock), 0, 0],
             ..frame
         });
         relations.extend(flock.relations.iter().map(|tie| relation(flock, tie)));
         first_boid += flock.count;
+        first_cover += flock.count * faces(flock);
         first_cell += grid.count();
     }
     (flocks, relations)
@@ -124,11 +142,13 @@ fn flock_frame(flock: &Flock, grid: &Grid, seed: u64) -> FlockFrame {
         Edges::Constrain { factor, .. } => (layout::EDGES_BOUNCE, factor),
         Edges::Torus(_) => (layout::EDGES_TORUS, 1.0),
     };
-    let corners = corners_of(flock.edges).unwrap_or(flock.region);
+    let region = flat(flock, flock.region);
+    let corners = flat(flock, corners_of(flock.edges).unwrap_or(flock.region));
     let torus = match flock.edges {
-        Edges::Torus(corners) => extent(corners),
+        Edges::Torus(_) => extent(corners),
         _ => [0.0; 3],
     };
+    let force = flattened(flock, flock.force);
     let fastest = flock
         .start_speed
         .max(flock.max_speed * factor.abs().max(1.0));
@@ -139,9 +159,9 @@ fn flock_frame(flock: &Flock, grid: &Grid, seed: u64) -> FlockFrame {
         BoidShape::Point => layout::BOID_POINT,
     };
     FlockFrame {
-        region_min: with(flock.region.min, flock.start_speed),
-        region_extent: with(extent(flock.region), flock.max_speed),
-        acceleration: with(flock.force.map(|part| part / flock.mass), 1.0 / flock.mass),
+        region_min: with(region.min, flock.start_speed),
+        region_extent: with(extent(region), flock.max_speed),
+        acceleration: with(force.map(|part| part / flock.mass), 1.0 / flock.mass),
         edges_min: with(corners.min, factor),
         edges_max: with(corners.max, 0.0),
         torus: with(torus, 0.0),
@@ -162,7 +182,23 @@ fn flock_frame(flock: &Flock, grid: &Grid, seed: u64) -> FlockFrame {
             u32::from(flock.dimensions == Dimensions::Three),
             shape,
         ],
+        drawn: [0; 4],
     }
+}
+
+/// How often each boid of the flock is drawn.
+fn faces(flock: &Flock) -> u32 {
+    match (flock.opacity > 0.0, flock.mirrored) {
+        (false, _) => 0,
+        (true, false) => 1,
+        (true, true) => 2,
+    }
+}
+
+/// Records of what covers that boids have.
+pub(super) fn cover_count(scene: &Scene) -> u32 {
+    let flocks = scene.flocks.iter();
+    flocks.map(|flock| flock.count * faces(flock)).sum()
 }
 
 fn relation(flock: &Flock, tie: &crate::scene::Relation) -> layout::Relation {

@@ -23,7 +23,7 @@ pub use population::Population;
 pub use stages::{STAGES, Stage, StageInfo};
 pub use uses::Uses;
 
-use crate::scene::{Scene, Track};
+use crate::scene::{Blend, Scene, Track};
 
 /// Why a scene cannot become a plan: it is the scene's fault, and the message says what to change.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -68,6 +68,8 @@ pub struct Plan {
     pub flock_count: u32,
     /// Boids of all flocks.
     pub boid_count: u32,
+    /// How often boids are drawn in all, at most.
+    pub boid_cover_count: u32,
     /// What flocks make of each other, at most.
     pub relation_count: u32,
     /// Cells of the flocks' grids, at most.
@@ -146,6 +148,7 @@ impl Plan {
             system_count: scene.systems.len() as u32,
             flock_count: scene.flocks.len() as u32,
             boid_count: scene.flocks.iter().map(|flock| flock.count).sum(),
+            boid_cover_count: most(&|scene| flock::cover_count(scene)),
             relation_count: most(&relations),
             cell_count: most(&|scene| flock::cell_count(scene)),
             width: scene.image.width,
@@ -227,7 +230,17 @@ impl Plan {
     pub fn has(&self, stage: Stage) -> bool {
         match stage {
             Stage::Hatch | Stage::Cells | Stage::Steer => self.flock_count > 0,
+            Stage::Shapes | Stage::Cover => self.uses.covers,
             _ => true,
+        }
+    }
+
+    /// Records of what covers, at most: one a particle, and those of boids, if anything covers.
+    pub fn cover_capacity(&self) -> u32 {
+        if self.uses.covers {
+            self.capacity + self.boid_cover_count
+        } else {
+            0
         }
     }
 
@@ -281,8 +294,13 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
             .map(|system| system.name.clone())
             .collect()
     };
+    let blends = |scene: &Scene| -> Vec<Blend> {
+        let systems = scene.systems.iter();
+        systems.map(|system| system.blend).collect()
+    };
     let fixed = |scene: &Scene| {
         (
+            blends(scene),
             scene.image.width,
             scene.image.height,
             scene.seed,
@@ -297,10 +315,10 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
                 "the change at frame {} alters what holds for a whole run",
                 turn.frame
             ),
-            help:
-                "the list of systems and their names, the flocks' names and counts, the number of \
-                   layers, the image size, the seed and the capacity stay as the scene has them"
-                    .into(),
+            help: "the list of systems, their names and `blend`, the flocks' names and counts, the \
+                   number of layers, the image size, the seed and the capacity stay as the scene has \
+                   them"
+                .into(),
         });
     }
     Ok(())

@@ -19,6 +19,10 @@ pub enum Stage {
     Cells,
     /// Boids look around, steer and move.
     Steer,
+    /// What covers, as it is seen.
+    Shapes,
+    /// What covers, from near to far, in every pixel.
+    Cover,
     /// Particles add their light.
     Splat,
     /// Light becomes pixels.
@@ -114,6 +118,29 @@ pub static STAGES: &[StageInfo] = &[
         draws: false,
     },
     StageInfo {
+        stage: Stage::Shapes,
+        name: "shapes",
+        reads: &[
+            "frame",
+            "system_frames",
+            "rows",
+            "counts",
+            "particles",
+            "flocks",
+            "boids",
+            "layer_planes",
+        ],
+        writes: &["covers", "cover_counts"],
+        draws: true,
+    },
+    StageInfo {
+        stage: Stage::Cover,
+        name: "cover",
+        reads: &["frame", "covers", "cover_counts"],
+        writes: &["cover_rg", "cover_bt"],
+        draws: true,
+    },
+    StageInfo {
         stage: Stage::Splat,
         name: "splat",
         reads: &[
@@ -130,7 +157,7 @@ pub static STAGES: &[StageInfo] = &[
     StageInfo {
         stage: Stage::Resolve,
         name: "resolve",
-        reads: &["frame", "light_low", "light_high"],
+        reads: &["frame", "light_low", "light_high", "cover_rg", "cover_bt"],
         writes: &["image"],
         draws: true,
     },

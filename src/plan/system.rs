@@ -8,9 +8,9 @@ use crate::exact::{dot3, normalize_exact, snap};
 use crate::layout::{self, Bound, SystemFrame, SystemRow};
 use crate::rng::pcg4d;
 use crate::scene::{
-    BirthMoment, BirthRounding, BirthUnit, EjectionAxis, EjectionSpread, Extinction,
-    GenerationShape, Integration, Intensity, ParticleShape, ParticleSpace, Side, StreakLight,
-    System,
+    BirthMoment, BirthRounding, BirthUnit, Blend, EjectionAxis, EjectionSpread, Extinction,
+    GenerationShape, Integration, Intensity, ParticleShape, ParticleSpace, Shading, Side,
+    StreakLight, System,
 };
 use crate::transcendental::{cos_turns, sin_turns};
 
@@ -323,7 +323,9 @@ fn row_flags(system: &System) -> u32 {
     ) | flag(
         system.birth_moment == BirthMoment::WithinFrame,
         layout::ROW_WITHIN_FRAME,
-    )
+    ) | flag(system.blend == Blend::Over, layout::ROW_OVER)
+        | flag(system.shading == Shading::LitSphere, layout::ROW_LIT_SPHERE)
+        | ((system.edge_softness * 65_535.0 + 0.5) as u32) << layout::ROW_SOFTNESS_SHIFT
 }
 
 /// The kind of a generation shape, and its extents as [`SystemRow::shape`] has them.

@@ -2,8 +2,8 @@
 
 use super::FrameInputs;
 use crate::layout::{
-    FlockFrame, PARTICLE_RECTANGLE, PARTICLE_STREAK, Relation, SystemFrame, SystemRow, WIND_CURL,
-    Wind,
+    BOID_TRIANGLE, FlockFrame, PARTICLE_RECTANGLE, PARTICLE_STREAK, ROW_OVER, Relation,
+    SystemFrame, SystemRow, WIND_CURL, Wind,
 };
 
 macro_rules! uses {
@@ -63,6 +63,18 @@ uses! {
     layers "LAYERS";
     /// Boids that look at more others than a loop of a software driver turns.
     crowds "CROWDS";
+    /// What covers what is behind it.
+    covers "COVERS";
+    /// Covering triangles.
+    triangles "TRIANGLES";
+}
+
+fn is_drawn(flock: &FlockFrame) -> bool {
+    flock.drawn[1] > 0
+}
+
+fn has_triangles(flock: &FlockFrame) -> bool {
+    is_drawn(flock) && flock.ties[3] == BOID_TRIANGLE
 }
 
 /// Turns that loops of an invocation may make in all, with some to spare: software drivers end them
@@ -89,6 +101,8 @@ impl Uses {
         let winds = inputs.winds.iter().map(Self::of_wind);
         let own = Self {
             layers: !inputs.layer_planes.is_empty(),
+            covers: inputs.flocks.iter().any(is_drawn),
+            triangles: inputs.flocks.iter().any(has_triangles),
             crowds: inputs
                 .flocks
                 .iter()
@@ -108,6 +122,7 @@ impl Uses {
             streaks: row.kinds[1] == PARTICLE_STREAK,
             rectangles: row.kinds[1] == PARTICLE_RECTANGLE,
             light_distances: row.ejection_and_light[2] > 0.0,
+            covers: row.kinds[3] & ROW_OVER != 0,
             ..Self::default()
         }
     }

@@ -30,16 +30,33 @@ macro_rules! builtin {
 
 /// Every built-in scene, by name.
 pub const BUILTIN: &[BuiltinScene] = builtin![
+    "boids-alignment",
+    "boids-cohesion",
+    "boids-free",
+    "boids-separation",
+    "bounce-constrain",
+    "bounce-repel",
+    "bounce-wrap",
+    "crossed-flocks",
     "explosion",
     "explosion-lines",
     "fireworks",
     "fireworks-green-blue",
     "fireworks-multicolored",
     "fireworks-red",
+    "flock",
+    "flock-million",
     "fountain",
     "million",
+    "predators",
+    "predators-ignored",
+    "rorschach",
+    "rorschach-inverted",
+    "rorschach-three",
     "smoke-ring",
     "sparks-in-wind",
+    "two-flocks",
+    "two-flocks-predators",
 ];
 
 /// Bytes of a scene file at most.

@@ -10,7 +10,7 @@ pub struct Flock {
     pub name: String,
     /// How many boids, 1 ..= 1,000,000; all flocks together have no more.
     pub count: u32,
-    /// Whether boids live in a plane across z or in space. Default a plane.
+    /// Whether boids live in a plane or in space. Default a plane.
     pub dimensions: Dimensions,
     /// Where they are at first: uniform in this box.
     pub region: Corners,
@@ -39,6 +39,8 @@ pub struct Flock {
     pub color: [f32; 3],
     /// How much of what is behind it a boid hides, 0 ..= 1. Default 1; 0 is not drawn.
     pub opacity: f32,
+    /// Whether each boid is drawn a second time, mirrored, at -x. Default no.
+    pub mirrored: bool,
 }
 
 /// A box along the axes, world units, each -1,000,000 ..= 1,000,000.
@@ -53,7 +55,7 @@ pub struct Corners {
 /// Where boids live.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dimensions {
-    /// In a plane: z never changes.
+    /// In the plane of z = 0; of the flock's vectors, z does not count.
     Two,
     /// In space.
     Three,

@@ -37,9 +37,11 @@ pub use flock::{BoidShape, Corners, Dimensions, Edges, Flock, Relation, Relation
 pub use generation::{Attractor, EjectionAxis, EjectionSpread, GenerationShape};
 pub use knobs::{Knob, KnobValue, knobs};
 pub use parse::parse;
-pub use picture::{Camera, Image, Layer, Projection, ShutterWeighting};
+pub use picture::{Camera, Image, Layer, Light, Projection, ShutterWeighting};
 pub(crate) use set::Set;
-pub use system::{Integration, Intensity, ParticleShape, ParticleSpace, StreakLight, System};
+pub use system::{
+    Blend, Integration, Intensity, ParticleShape, ParticleSpace, Shading, StreakLight, System,
+};
 pub use tracks::{Interpolation, Key, Owner, Track};
 pub use wind::{Turbulence, Wind};
 
@@ -84,6 +86,8 @@ pub struct Scene {
     pub image: Image,
     /// The viewer.
     pub camera: Camera,
+    /// What covering particles reflect.
+    pub light: Light,
     /// The particle systems, in the order of the file, at most 1,024; names unique. A scene has at
     /// least one, or a flock.
     pub systems: Vec<System>,

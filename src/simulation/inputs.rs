@@ -72,7 +72,11 @@ fn flocks_fit(plan: &Plan, inputs: &FrameInputs) -> bool {
         && inputs.flocks.iter().all(|flock| {
             let [x, y, z, first] = flock.grid;
             let cells = [x, y, z].map(u64::from).iter().product();
+            let [first_cover, faces, ..] = flock.drawn;
+            let covers = u64::from(flock.members[1]) * u64::from(faces);
             cells > 0
+                && faces <= 2
+                && within(first_cover, covers, plan.boid_cover_count as usize)
                 && cells <= u64::from(u32::MAX)
                 && within(first, cells, plan.cell_count as usize)
                 && within(flock.ties[0], flock.ties[1].into(), ties)

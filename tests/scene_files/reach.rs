@@ -1,10 +1,10 @@
 //! What right scenes are read as: every key in its place, and what holds where it is not written.
 
 use motes::scene::{
-    BirthMoment, BirthRounding, BirthUnit, Births, Burst, Camera, Changing, EjectionAxis,
-    EjectionSpread, Extinction, GenerationShape, Image, Integration, Intensity, Layer,
-    ParticleShape, ParticleSpace, Projection, Scene, ShutterWeighting, Side, Spread, StreakLight,
-    System, Turbulence, Wind,
+    BirthMoment, BirthRounding, BirthUnit, Births, Blend, Burst, Camera, Changing, EjectionAxis,
+    EjectionSpread, Extinction, GenerationShape, Image, Integration, Intensity, Layer, Light,
+    ParticleShape, ParticleSpace, Projection, Scene, Shading, ShutterWeighting, Side, Spread,
+    StreakLight, System, Turbulence, Wind,
 };
 
 use crate::text::{FULL, MINIMAL, accepted};
@@ -49,6 +49,9 @@ fn minimal_system() -> System {
         drag: 0.0,
         integration: Integration::Euler,
         particle_shape: ParticleShape::Sphere,
+        blend: Blend::Add,
+        shading: Shading::Flat,
+        edge_softness: 0.0,
         streak_light: StreakLight::Conserved,
         intensity_threshold: None,
         intensity: Intensity::Brightest,
@@ -95,6 +98,11 @@ fn what_is_not_written_has_the_documented_default() {
             view_height: 4.0,
             vertical_fov_degrees: 45.0,
             near: 0.1,
+        },
+        light: Light {
+            direction: [0.4, 0.8, 0.5],
+            color: [1.0; 3],
+            ambient: [0.2; 3],
         },
         systems: vec![minimal_system()],
         flocks: vec![],
@@ -160,6 +168,9 @@ fn first_system() -> System {
         drag: 0.05,
         integration: Integration::Parabola,
         particle_shape: ParticleShape::Streak,
+        blend: Blend::Over,
+        shading: Shading::LitSphere,
+        edge_softness: 0.75,
         streak_light: StreakLight::Constant,
         intensity_threshold: Some(0.01),
         intensity: Intensity::Luminance,
@@ -260,6 +271,11 @@ fn every_other_key_reaches_its_place() {
             view_height: 3.5,
             vertical_fov_degrees: 60.0,
             near: 0.01,
+        },
+        light: Light {
+            direction: [-1.0, 2.0, 0.5],
+            color: [1.0, 0.9, 0.8],
+            ambient: [0.05, 0.06, 0.07],
         },
         systems: scene.systems.clone(),
         flocks: vec![],

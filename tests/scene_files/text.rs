@@ -43,6 +43,10 @@ projection = "orthographic"
 view_height = 3.5
 vertical_fov_degrees = 60
 near = 0.01
+[light]
+direction = [-1, 2, 0.5]
+color = [1, 0.9, 0.8]
+ambient = [0.05, 0.06, 0.07]
 [[system]]
 name = "first"
 position = [1, 2, 3]
@@ -76,6 +80,9 @@ acceleration = [0, -0.01, 0]
 drag = 0.05
 integration = "parabola"
 particle_shape = "streak"
+blend = "over"
+shading = "lit_sphere"
+edge_softness = 0.75
 streak_light = "constant"
 intensity_threshold = 0.01
 intensity = "luminance"
@@ -261,6 +268,7 @@ pub(crate) fn fields_of(section: &str) -> &'static [Field] {
                 "" => schema::SCENE,
                 "image" => schema::IMAGE,
                 "camera" => schema::CAMERA,
+                "light" => schema::LIGHT,
                 "system" => schema::SYSTEM,
                 "burst" => schema::BURST,
                 "layer" => schema::LAYER,

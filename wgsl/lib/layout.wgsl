@@ -54,6 +54,11 @@ const ROW_AROUND: u32 = 2u;
 const ROW_ANGLE_UNIFORM: u32 = 4u;
 const ROW_LUMINANCE: u32 = 8u;
 const ROW_WITHIN_FRAME: u32 = 16u;
+// Particles cover what is behind them; they are shaded as spheres; how soft their edge is stands
+// above that bit, in 65,535ths.
+const ROW_OVER: u32 = 32u;
+const ROW_LIT_SPHERE: u32 = 64u;
+const ROW_SOFTNESS_SHIFT: u32 = 16u;
 
 // What the processor knows of one system in this frame.
 struct SystemFrame {
@@ -98,6 +103,36 @@ struct SystemFrame {
 const SYSTEM_STOCHASTIC: u32 = 1u;
 const SYSTEM_PER_AREA: u32 = 2u;
 const SYSTEM_PARABOLIC: u32 = 4u;
+
+// Something that covers what is behind it, as it is seen: a family's shapes stage writes one for
+// each that it has, in the order of their identities. Floats are bits.
+struct Cover {
+    // x and y in pixels of two points: a triangle's first two corners, a segment's ends; a disc's
+    // or square's centre, then for shading the reciprocal of a disc's radius.
+    points: vec4<u32>,
+    // A triangle's third corner. Of a disc or segment, how far it reaches from its centre or axis,
+    // pixels, and the reciprocal of its edge's width; of a square, half its width. Then what it is
+    // (COVER_...), and its depth along the view axis.
+    shape: vec4<u32>,
+    // Colour in red, green, blue, before exposure; alpha, 0 to 1.
+    color: vec4<u32>,
+    // What the light adds to the colour of a sphere where it falls straight; w unused.
+    lit: vec4<u32>,
+}
+
+// Words of cover_counts: records of something; records of each family, which stand in covers one
+// family after the other.
+const COVERS_SEEN: u32 = 0u;
+const COVERS_OF_PARTICLES: u32 = 1u;
+const COVERS_OF_BOIDS: u32 = 2u;
+// Cover.shape.z: nothing, a disc, a disc with a smooth edge of its own width, a square along the
+// axes, a segment with round ends, a triangle.
+const COVER_NONE: u32 = 0u;
+const COVER_DISC: u32 = 1u;
+const COVER_SOFT_DISC: u32 = 2u;
+const COVER_SQUARE: u32 = 3u;
+const COVER_SEGMENT: u32 = 4u;
+const COVER_TRIANGLE: u32 = 5u;
 
 // What ends particles that come where they should not be, in world space.
 struct Bound {
@@ -146,6 +181,11 @@ struct Frame {
     closing_view_from_world_y: vec4<f32>,
     closing_view_from_world_z: vec4<f32>,
     background: vec4<f32>,
+    // Where the light comes from, in view space (right, up, towards the viewer), its colour, and
+    // the light from everywhere.
+    light_from: vec4<f32>,
+    light_color: vec4<f32>,
+    ambient_color: vec4<f32>,
     // Pixels per unit of x/z, or of x if the view is orthographic: now, and when the shutter
     // closes. The principal point.
     focal_px: f32,
@@ -251,6 +291,8 @@ struct FlockFrame {
     members: vec4<u32>,
     // First relation, how many, 1 for headings in space, BOID_....
     ties: vec4<u32>,
+    // First record of what covers, among those of boids, and how many a boid has.
+    drawn: vec4<u32>,
 }
 
 // FlockFrame.members.w: what happens at the edges.

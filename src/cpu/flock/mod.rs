@@ -7,7 +7,8 @@ pub mod steer;
 use rayon::prelude::*;
 
 use crate::backend::{BackendError, try_zeroed};
-use crate::layout::Boid;
+use crate::cpu::draw::boid_shapes::boid_shapes;
+use crate::layout::{Boid, Cover};
 use crate::plan::{FrameInputs, Plan};
 
 /// All flocks of a run.
@@ -55,6 +56,22 @@ impl Flocks {
                 *cell = cells::cell_of(&flocks[boid.flock() as usize], boid);
             });
         cells::sort(&self.boids, &self.cells, &mut self.starts, &mut self.sorted);
+    }
+
+    /// Adds the boids' records of what covers.
+    pub(super) fn shapes(&self, inputs: &FrameInputs, covers: &mut Vec<Cover>) {
+        let of_boid = |boid: &Boid| {
+            let flock = &inputs.flocks[boid.flock() as usize];
+            let faces = 0..flock.drawn[1];
+            let record = |face| boid_shapes(flock, boid, face, inputs);
+            faces.map(record).collect::<Vec<_>>()
+        };
+        covers.par_extend(
+            self.boids
+                .par_iter()
+                .with_min_len(1024)
+                .flat_map_iter(of_boid),
+        );
     }
 
     pub(super) fn steer(&mut self, inputs: &FrameInputs) {

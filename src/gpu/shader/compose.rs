@@ -57,6 +57,8 @@ pub(super) const SWITCHES: &[&str] = &[
     "LIGHT_DISTANCES",
     "LAYERS",
     "CROWDS",
+    "COVERS",
+    "TRIANGLES",
 ];
 
 /// A composed and validated module.

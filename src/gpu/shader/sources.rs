@@ -44,6 +44,10 @@ pub static LIBRARIES: &[Source] = sources![
     "lib/grid",
     "lib/boid",
     "lib/steering",
+    "lib/cover",
+    "lib/shape",
+    "lib/sort",
+    "lib/tile",
 ];
 
 /// Kernels, in the order of the frame.
@@ -67,6 +71,17 @@ pub static KERNELS: &[Source] = sources![
     "flock/cell_members",
     "flock/cells",
     "flock/steer",
+    "draw/shapes",
+    "draw/boid_shapes",
+    "draw/cover_work",
+    "draw/cover_keys",
+    "sort/count_digits",
+    "sort/sum_digits",
+    "sort/start_digits",
+    "sort/place_digits",
+    "draw/clear_tiles",
+    "draw/bin",
+    "draw/cover",
     "draw/splat",
     "draw/large_work",
     "draw/splat_large",

@@ -1,6 +1,6 @@
 //! Checks of flocks.
 
-use crate::scene::read::{Reader, Spot};
+use crate::scene::read::Spot;
 use crate::scene::{Corners, Dimensions, Edges, Flock, SceneError};
 
 /// Boids of all flocks at most, and boids that one looks at: more turns than those take has no loop
@@ -36,9 +36,9 @@ pub(in crate::scene) fn boids(flocks: &[Flock], spot: &Spot<'_>) -> Result<(), S
                 continue;
             };
             let radius = relation.radius.unwrap_or(flock.perception_radius);
-            let extents = [0, 1, 2].map(|axis| max[axis] - min[axis]);
-            let least = extents
-                .into_iter()
+            let axes = if other.dimensions == Dimensions::Two { 2 } else { 3 };
+            let least = (0..axes)
+                .map(|axis| max[axis] - min[axis])
                 .filter(|extent| *extent > 0.0)
                 .fold(f32::INFINITY, f32::min);
             if 2.0 * radius > least {
@@ -51,30 +51,6 @@ pub(in crate::scene) fn boids(flocks: &[Flock], spot: &Spot<'_>) -> Result<(), S
                 return Err(spot.node.at.error(what, help));
             }
         }
-    }
-    Ok(())
-}
-
-/// Boids of a plane begin in one and are not pulled out of it.
-pub(in crate::scene) fn plane(flock: &Flock, table: &Reader<'_>) -> Result<(), SceneError> {
-    if flock.dimensions == Dimensions::Three {
-        return Ok(());
-    }
-    let Corners { min, max } = flock.region;
-    if min[2] != max[2] {
-        let path = table.path_of("region");
-        let what = format!(
-            "`{path}` is {} deep along z, and the flock is flat",
-            max[2] - min[2]
-        );
-        let help = "corners of the same z, or `dimensions = 3`";
-        return Err(table.at("region").error(what, help));
-    }
-    if flock.force[2] != 0.0 {
-        let path = table.path_of("force");
-        let what = format!("`{path}` has a part along z, and the flock is flat");
-        let help = "a z of 0, or `dimensions = 3`";
-        return Err(table.at("force").error(what, help));
     }
     Ok(())
 }

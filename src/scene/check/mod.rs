@@ -3,7 +3,7 @@
 mod flocks;
 mod tracks;
 
-pub(super) use flocks::{boids, no_such_flock, plane};
+pub(super) use flocks::{boids, no_such_flock};
 pub(super) use tracks::tracks;
 
 use super::read::{Reader, Spot};

@@ -26,7 +26,7 @@ fn flock(index: usize, spot: &Spot<'_>, names: &[String]) -> Result<Flock, Scene
     };
     let table = Reader::new(path, FLOCK, spot.node)?;
     let shapes = [BoidShape::Triangle, BoidShape::Disc, BoidShape::Point];
-    let flock = Flock {
+    Ok(Flock {
         name: table.must("name", text)?,
         count: table.must("count", whole32)?,
         dimensions: match table.must("dimensions", whole32)? {
@@ -49,9 +49,8 @@ fn flock(index: usize, spot: &Spot<'_>, names: &[String]) -> Result<Flock, Scene
         size: table.must("size", Quantity::read)?,
         color: table.must("color", Quantity::read)?,
         opacity: table.must("opacity", Quantity::read)?,
-    };
-    check::plane(&flock, &table)?;
-    Ok(flock)
+        mirrored: table.must("mirrored", flag)?,
+    })
 }
 
 fn corners(table: &Reader<'_>) -> Result<Corners, SceneError> {

@@ -11,13 +11,13 @@ use self::system::systems;
 use self::wind::wind;
 use super::check;
 use super::read::{Reader, Spot};
-use super::schema::{CAMERA, IMAGE, LAYER, SCENE};
+use super::schema::{CAMERA, IMAGE, LAYER, LIGHT, SCENE};
 use super::set;
 use super::set::Set;
 use super::tracks;
 use super::tree::{self, Node, Source};
 use super::values::{Quantity, choice, list, text, whole, whole32};
-use super::{Camera, Image, Layer, Projection, Scene, SceneError, ShutterWeighting};
+use super::{Camera, Image, Layer, Light, Projection, Scene, SceneError, ShutterWeighting};
 
 /// Reads a scene from TOML.
 ///
@@ -77,6 +77,7 @@ fn scene(root: &Node, name: &str) -> Result<Scene, SceneError> {
         camera: table.must("camera", camera)?,
         systems: table.may("system", systems)?.unwrap_or_default(),
         flocks: table.must("flock", flocks)?,
+        light: table.must("light", light)?,
         winds: table.must("wind", |spot| list(spot, wind))?,
         layers: table.must("layer", |spot| list(spot, layer))?,
         tracks: Vec::new(),
@@ -119,6 +120,15 @@ fn camera(spot: &Spot<'_>) -> Result<Camera, SceneError> {
     };
     check::camera(&camera, &table)?;
     Ok(camera)
+}
+
+fn light(spot: &Spot<'_>) -> Result<Light, SceneError> {
+    let table = Reader::new(spot.path.clone(), LIGHT, spot.node)?;
+    Ok(Light {
+        direction: table.must("direction", check::direction)?,
+        color: table.must("color", Quantity::read)?,
+        ambient: table.must("ambient", Quantity::read)?,
+    })
 }
 
 fn layer(_: usize, spot: &Spot<'_>) -> Result<Layer, SceneError> {

@@ -8,7 +8,7 @@ use super::{Field, Kind, Variant};
 pub const FLOCK: &[Field] = &[
     required("name", Kind::Name { reserved: &[] }, "\"flock\"", "", "unique among flocks; a part of every boid's identity", ""),
     required("count", whole(1, 1_000_000), "500", "boids", "how many; all flocks together have at most 1_000_000", ""),
-    default("dimensions", whole(2, 3), "2", "", "2: boids stay in a plane across z; 3: they live in space", ""),
+    default("dimensions", whole(2, 3), "2", "", "2: boids live in the plane of z = 0, and no z of the flock counts; 3: they live in space", ""),
     required("region", Kind::Table(REGION), "{ min = [0, 0, 0], max = [500, 300, 0] }", "", "where boids are at first", ""),
     default("start_speed", numbers(1, 0.0, 1e4), "1", "world units a frame", "speed at first, in a random direction", ""),
     default("max_speed", numbers(1, 1e-6, 1e4), "2", "world units a frame", "velocities are limited to it after each move", ""),
@@ -21,6 +21,7 @@ pub const FLOCK: &[Field] = &[
     default("size", numbers(1, 1e-6, 1e4), "3", "world units, pixels of a point", "base of the triangle, or diameter of the disc", ""),
     default("color", numbers(3, 0.0, 1.0), "[1, 1, 1]", "display-referred red, green, blue", "colour", ""),
     default("opacity", numbers(1, 0.0, 1.0), "1", "0 invisible, 1 opaque", "how much of what is behind it a boid hides", ""),
+    default("mirrored", Kind::Flag, "false", "", "whether each boid is drawn a second time, mirrored, at -x", ""),
 ];
 
 /// Keys of a flock's `region`.

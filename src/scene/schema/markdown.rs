@@ -2,8 +2,8 @@
 
 use super::json::sentence;
 use super::{
-    BURST, CAMERA, EDGES, EXTINCTIONS, FLOCK, Field, GENERATION_SHAPES, IMAGE, Kind, LAYER, Limits,
-    Presence, REGION, RELATIONS, SCENE, SYSTEM, Variant, WINDS, parent_of,
+    BURST, CAMERA, EDGES, EXTINCTIONS, FLOCK, Field, GENERATION_SHAPES, IMAGE, Kind, LAYER, LIGHT,
+    Limits, Presence, REGION, RELATIONS, SCENE, SYSTEM, Variant, WINDS, parent_of,
 };
 use crate::scene::expect::{digits, range};
 
@@ -17,7 +17,7 @@ const CAN_CHANGE: &str = " ◆";
 #[must_use]
 pub fn reference_page() -> String {
     let mut page = INTRODUCTION.to_owned();
-    let tables: [(&str, &str, &[Field]); 4] = [
+    let tables: [(&str, &str, &[Field]); 5] = [
         ("Top of the file", "Above the first header.", SCENE),
         (
             "`[image]`",
@@ -25,6 +25,11 @@ pub fn reference_page() -> String {
             IMAGE,
         ),
         ("`[camera]`", "The viewer.", CAMERA),
+        (
+            "`[light]`",
+            "What particles reflect that cover and are shaded.",
+            LIGHT,
+        ),
         (
             "`[[system]]`",
             "A particle system, as many as you like.",
