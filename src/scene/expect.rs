@@ -29,7 +29,7 @@ pub(super) fn expected(field: &Field) -> String {
         unit => format!(", {unit}"),
     };
     let words = match (kind, presence) {
-        (Kind::Tables { fields, max }, Presence::Required(_)) => {
+        (Kind::Tables { fields, max }, Presence::Required(_) | Presence::Optional(_)) => {
             let max = digits(*max as f64);
             format!("1 to {max} tables with the keys {}", keys(fields))
         }
@@ -45,7 +45,7 @@ pub(super) fn several(field: &Field) -> String {
         _ => 1,
     };
     let count = match field.presence {
-        Presence::Required(_) => "1 to",
+        Presence::Required(_) | Presence::Optional(_) => "1 to",
         _ => "at most",
     };
     let (key, about, header) = (field.key, field.about, example(field));

@@ -113,11 +113,16 @@ fn f11_gravity_adds_up_until_the_limit() {
 #[test]
 fn f12_repelled_and_constrained_particles_stay() {
     let cases = [
-        // A step of 4 and one of gravity, and what sticking beyond the edge adds.
+        // A step of 4 and one of gravity; and where they stick beyond the edge, more of it.
         (
             "kind = \"repel\", min = [0, 0, 0], max = [300, 200, 0]",
             [0.0, 300.0, 0.0, 200.0],
-            4.6,
+            12.0,
+        ),
+        (
+            "kind = \"repel\", inward = true, min = [0, 0, 0], max = [300, 200, 0]",
+            [0.0, 300.0, 0.0, 200.0],
+            4.41,
         ),
         // Four times the speed outward takes it as far once more, and a limited step back in.
         (

@@ -5,6 +5,7 @@ mod bands;
 mod common;
 mod edges;
 mod grid;
+mod looks;
 mod oracle;
 mod rules;
 mod runs;

@@ -110,7 +110,9 @@ fn unknown_keys_are_refused_with_the_nearest() {
 fn only_what_is_required_must_be_written() {
     for &(section, key, ..) in KEYS {
         let fields = match section {
+            // All on one line.
             _ if section.starts_with("generation_shape.") => continue,
+            _ if section.starts_with("edges.") => continue,
             "system" if key.ends_with("_per_area") => continue,
             _ => fields_of(section),
         };

@@ -1,10 +1,11 @@
 //! What right scenes are read as: every key in its place, and what holds where it is not written.
 
 use motes::scene::{
-    BirthMoment, BirthRounding, BirthUnit, Births, Blend, Burst, Camera, Changing, EjectionAxis,
-    EjectionSpread, Extinction, GenerationShape, Image, Integration, Intensity, Layer, Light,
-    ParticleShape, ParticleSpace, Projection, Scene, Shading, ShutterWeighting, Side, Spread,
-    StreakLight, System, Turbulence, Wind,
+    BirthMoment, BirthRounding, BirthUnit, Births, Blend, BoidShape, Burst, Camera, Changing,
+    Corners, Dimensions, Edges, EjectionAxis, EjectionSpread, Extinction, Flock, GenerationShape,
+    Image, Integration, Intensity, Layer, Light, ParticleShape, ParticleSpace, Projection,
+    Relation, RelationKind, Rule, Scene, Shading, ShutterWeighting, Side, Spread, StreakLight,
+    System, Turbulence, Wind,
 };
 
 use crate::text::{FULL, MINIMAL, accepted};
@@ -228,6 +229,77 @@ fn every_key_of_a_system_reaches_its_place() {
     assert_eq!(scene.systems[1], second);
 }
 
+/// The flocks of [`FULL`].
+fn flocks() -> Vec<Flock> {
+    let rule = |weight, speed, limit| Rule {
+        weight,
+        speed,
+        limit,
+    };
+    let relation = |other, radius, kind| Relation {
+        other,
+        radius: Some(radius),
+        kind,
+    };
+    let rules = RelationKind::Flock {
+        separation: rule(0.5, 3.0, 0.1),
+        inverse_distance: true,
+        alignment: rule(-1.0, 2.0, 0.4),
+        cohesion: rule(0.0, 1.0, 0.6),
+    };
+    let prey = Flock {
+        name: "flock".into(),
+        count: 30,
+        dimensions: Dimensions::Three,
+        region: Corners {
+            min: [0.0, 1.0, -2.0],
+            max: [3.0, 4.0, 5.0],
+        },
+        start_speed: 0.5,
+        max_speed: 1.5,
+        mass: 2.0,
+        force: [0.0, 0.1, -0.1],
+        perception_radius: 25.0,
+        edges: Edges::Wrap(Corners {
+            min: [-1.0, -2.0, -3.0],
+            max: [1.0, 2.0, 3.0],
+        }),
+        relations: vec![
+            relation(1, 12.0, rules),
+            relation(0, 7.0, RelationKind::Avoid { limit: 0.8 }),
+            relation(1, 8.0, RelationKind::Approach { limit: 0.9 }),
+        ],
+        shape: BoidShape::Disc,
+        size: 4.0,
+        color: [0.1, 0.2, 0.3],
+        opacity: 0.6,
+        mirrored: true,
+    };
+    // What is not written has the documented default.
+    let hunters = Flock {
+        name: "hunters".into(),
+        count: 3,
+        dimensions: Dimensions::Two,
+        region: Corners {
+            min: [0.0; 3],
+            max: [1.0; 3],
+        },
+        start_speed: 1.0,
+        max_speed: 2.0,
+        mass: 1.0,
+        force: [0.0; 3],
+        perception_radius: 60.0,
+        edges: Edges::None,
+        relations: vec![],
+        shape: BoidShape::Triangle,
+        size: 3.0,
+        color: [1.0; 3],
+        opacity: 1.0,
+        mirrored: false,
+    };
+    vec![prey, hunters]
+}
+
 #[test]
 fn every_other_key_reaches_its_place() {
     let scene = accepted(FULL);
@@ -278,7 +350,7 @@ fn every_other_key_reaches_its_place() {
             ambient: [0.05, 0.06, 0.07],
         },
         systems: scene.systems.clone(),
-        flocks: vec![],
+        flocks: flocks(),
         winds: vec![
             Wind::Uniform {
                 velocity: [0.01, 0.02, 0.03],

@@ -36,7 +36,11 @@ pub(in crate::scene) fn boids(flocks: &[Flock], spot: &Spot<'_>) -> Result<(), S
                 continue;
             };
             let radius = relation.radius.unwrap_or(flock.perception_radius);
-            let axes = if other.dimensions == Dimensions::Two { 2 } else { 3 };
+            let axes = if other.dimensions == Dimensions::Two {
+                2
+            } else {
+                3
+            };
             let least = (0..axes)
                 .map(|axis| max[axis] - min[axis])
                 .filter(|extent| *extent > 0.0)

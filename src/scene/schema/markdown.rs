@@ -178,7 +178,7 @@ fn value(field: &Field) -> String {
 
 fn tables(field: &Field, max: usize) -> String {
     let least = match field.presence {
-        Presence::Required(_) => "1 to",
+        Presence::Required(_) | Presence::Optional(_) => "1 to",
         _ => "at most",
     };
     let (path, anchor) = match parent_of(field.key) {
