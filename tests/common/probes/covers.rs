@@ -36,13 +36,13 @@ fn part(kind: u32, w: u32, i: u32) -> f32 {
     return coverage_at(some(kind, w, i), KINDS, i32(w >> 28u), i32(i >> 28u));
 }
 fn record(kind: u32, w: u32, i: u32, word: u32) -> u32 {
-    let of = some(kind, w, i);
-    var vectors = array<vec4<u32>, 4>(of.points, of.shape, of.color, of.lit);
+    let it = some(kind, w, i);
+    var vectors = array<vec4<u32>, 4>(it.points, it.shape, it.color, it.lit);
     return vectors[word / 4u][word % 4u];
 }
 fn bounds(kind: u32, w: u32, i: u32) -> u32 {
-    let of = bounds_of(some(kind, w, i), 13u, 9u);
-    return u32(of.x + of.y * 100 + of.z * 10000 + of.w * 1000000);
+    let it = bounds_of(some(kind, w, i), 13u, 9u);
+    return u32(it.x + it.y * 100 + it.z * 10000 + it.w * 1000000);
 }
 fn over(kind: u32, c: f32, w: u32, i: u32) -> vec4<f32> {
     var clear = quarters(i, 24u, 3u) * 0.5f;
