@@ -30,6 +30,7 @@ macro_rules! builtin {
 
 /// Every built-in scene, by name.
 pub const BUILTIN: &[BuiltinScene] = builtin![
+    "billow",
     "boids-alignment",
     "boids-cohesion",
     "boids-free",

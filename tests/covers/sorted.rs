@@ -26,7 +26,7 @@ fn pairs_are_sorted_stably_by_all_bits_of_their_keys() {
             // Any bits of depth but NaNs; every third is one of few, so that many are equal.
             let depth = |at: u32| {
                 let bits = hash(at ^ (salt as u32) << 20);
-                f32::from_bits(if at % 3 == 0 {
+                f32::from_bits(if at.is_multiple_of(3) {
                     0x4000_0000 + (bits % 5)
                 } else {
                     bits & 0xbf7f_ffff

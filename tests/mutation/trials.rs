@@ -75,6 +75,8 @@ impl Trial {
         let options = GpuOptions {
             workgroup_size: self.cut.workgroup_size,
             page_bytes: self.page_bytes,
+            // More rounds than one.
+            cover_slice: 1024,
             // Whatever a changed kernel leaves behind, the others stay within their buffers.
             checked: true,
             ..GpuOptions::default()
@@ -234,6 +236,14 @@ fn far_seen(mut scene: Scene) -> Scene {
     scene
 }
 
+/// The same run, its last frame of one layer.
+fn layered((plan, mut frames): (Plan, Vec<FrameInputs>)) -> (Plan, Vec<FrameInputs>) {
+    if let Some(last) = frames.last_mut() {
+        last.frame.layer = 1;
+    }
+    (plan, frames)
+}
+
 /// All trials, those that catch most at least cost first.
 pub(crate) fn trials() -> Vec<Trial> {
     let turning = |scene: &Scene, count| {
@@ -260,6 +270,7 @@ pub(crate) fn trials() -> Vec<Trial> {
             64,
             LARGE,
         ),
+        Trial::new("covering", layered(turning(&covering(), 4)), 64, LARGE),
         Trial::new("glaring", unchanging(&glaring(), 6), 64, LARGE),
         Trial::new("cut corners", unchanging(&cut_corners(), 2), 64, LARGE),
         Trial::new(

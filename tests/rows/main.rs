@@ -20,6 +20,7 @@ mod layers;
 mod light;
 mod motion;
 mod order;
+mod over;
 mod places;
 mod raster;
 mod rates;

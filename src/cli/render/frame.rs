@@ -107,6 +107,7 @@ pub(super) fn picture_of(
             height,
             pixels: simulation.radiance()?,
             is_layer: false,
+            hidden: Vec::new(),
             comment: format!("{}, seed {}, {what}", scene.name, scene.seed),
         }),
     })

@@ -230,7 +230,8 @@ impl Job<'_> {
             simulation.draw_layer(index)?;
             let what = format!("frame {frame}, layer {name}");
             let pixels = self.target.pixels();
-            let layer = picture_of(simulation, scene, pixels, &what)?.into_layer();
+            let hidden = simulation.hidden()?;
+            let layer = picture_of(simulation, scene, pixels, &what)?.into_layer_hiding(hidden);
             if let Some(path) = self.target.layer_path(frame, name) {
                 layer.write(&path)?;
             }
