@@ -92,6 +92,12 @@ impl Trial {
             .collect()
     }
 
+    /// Whether its plan has any use for the kernel.
+    pub(crate) fn runs(&self, kernel: &str) -> bool {
+        let mut uses = STAGE_KERNELS.iter().filter(|one| one.kernel == kernel);
+        uses.all(|one| self.plan.has(one.stage))
+    }
+
     /// Invocations a workgroup.
     pub(crate) fn workgroup_size(&self) -> u32 {
         self.cut.workgroup_size
@@ -271,6 +277,7 @@ pub(crate) fn trials() -> Vec<Trial> {
             LARGE,
         ),
         Trial::new("covering", layered(turning(&covering(), 4)), 64, LARGE),
+        Trial::new("flocks", unchanging(&all_kinds_of_flocks(), 5), 24, LARGE),
         Trial::new("glaring", unchanging(&glaring(), 6), 64, LARGE),
         Trial::new("cut corners", unchanging(&cut_corners(), 2), 64, LARGE),
         Trial::new(
