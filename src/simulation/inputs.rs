@@ -57,18 +57,18 @@ pub(super) fn check_sizes(plan: &Plan, inputs: &FrameInputs) -> Result<(), PlanE
 /// Whether flocks have the plan's boids, and grids and relations have room in its lists.
 fn flocks_fit(plan: &Plan, inputs: &FrameInputs) -> bool {
     let mut first = 0;
-    let own_boids = |(flock, count): (&FlockFrame, u32)| {
+    let mut own_boids = |(flock, count): (&FlockFrame, u32)| {
         let [at, of_flock, ..] = flock.members;
         let is_own = at == first && of_flock == count;
         first += count;
         is_own
     };
-    let with_counts = inputs.flocks.iter().zip(plan.boid_counts());
+    let mut with_counts = inputs.flocks.iter().zip(plan.boid_counts());
     let within = |first: u32, count: u64, most: usize| u64::from(first) + count <= most as u64;
     let ties = inputs.relations.len();
     inputs.flocks.len() == plan.flock_count as usize
         && ties <= plan.relation_count as usize
-        && with_counts.map(own_boids).all(|is_own| is_own)
+        && with_counts.all(&mut own_boids)
         && inputs.flocks.iter().all(|flock| {
             let [x, y, z, first] = flock.grid;
             let cells = [x, y, z].map(u64::from).iter().product();

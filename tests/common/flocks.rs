@@ -8,6 +8,13 @@ use super::scene_of;
 /// the same place.
 pub(crate) fn all_kinds_of_flocks() -> Scene {
     let box_of = "min = [0, 0, -20], max = [300, 200, 20]";
+    // Who does not move, or only along one axis.
+    let still = |name: &str, lines: &str| {
+        format!(
+            "name = \"{name}\"\ncount = 3\nregion = {{ min = [120, 80, 0], max = [180, 120, 0] }}\n\
+             start_speed = 0\nsize = 8\n{lines}"
+        )
+    };
     let flocks = [
         format!(
             "name = \"a\"\ncount = 300\nregion = {{ {box_of} }}\ndimensions = 3\n\
@@ -16,7 +23,8 @@ pub(crate) fn all_kinds_of_flocks() -> Scene {
              [[flock.relation]]\nkind = \"avoid\"\nother = \"c\"\n"
         ),
         format!(
-            "name = \"b\"\ncount = 200\nregion = {{ {box_of} }}\ndimensions = 3\nmass = 3\n\
+            "name = \"b\"\ncount = 200\ndimensions = 3\nmass = 3\nmax_speed = 3\n\
+             region = {{ min = [5, 25, -15], max = [300, 200, 20] }}\n\
              force = [0.01, 0, 0.02]\nedges = {{ kind = \"repel\", inward = true, {box_of} }}\n\
              [[flock.relation]]\nkind = \"flock\"\nseparation = \"inverse_distance\"\n\
              [[flock.relation]]\nkind = \"flock\"\nother = \"a\"\nradius = 15\n\
@@ -29,6 +37,9 @@ pub(crate) fn all_kinds_of_flocks() -> Scene {
          edges = { kind = \"wrap\", min = [0, 0, 0], max = [500, 300, 0] }\nforce = [0, 0.1, 0]\n\
          shape = \"disc\"\nopacity = 0.5\nmirrored = true"
             .into(),
+        still("d", "force = [0, 0.1, 0]"),
+        still("e", "force = [0, 0, 0.1]\ndimensions = 3"),
+        still("f", ""),
     ];
     let text: String = flocks
         .iter()
@@ -38,6 +49,10 @@ pub(crate) fn all_kinds_of_flocks() -> Scene {
         "image = {{ width = 96, height = 64 }}
          camera = {{ position = [150, 100, -90], target = [150, 100, 0], up = [0, -1, 0], \
          vertical_fov_degrees = 90, near = 75 }}
-         {text}"
+         {text}
+         [[layer]]
+         name = \"near\"
+         point = [0, 0, 4]
+         normal = [0.1, 0, 1]"
     ))
 }

@@ -195,14 +195,13 @@ fn assert_as_the_article(what: &str, plan: &Plan, groups: &[Group], frames: u32)
         step(&mut cpu, &plan.inputs(frame));
         let after = lists_of(&boids(&mut cpu), groups.len());
         for (of, group) in groups.iter().enumerate() {
-            for own in 0..before[of].len() {
+            for (own, got) in after[of].iter().enumerate() {
                 all += 1;
                 let Stepped { body, undecided } = step_one(group, own, of, &before);
                 if undecided {
                     left_out += 1;
                     continue;
                 }
-                let got = after[of][own];
                 let error = mag(sub(got.position, body.position))
                     .max(mag(sub(got.velocity, body.velocity)));
                 assert!(

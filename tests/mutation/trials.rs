@@ -262,6 +262,12 @@ pub(crate) fn trials() -> Vec<Trial> {
         let frames = frames_of(&plan, count);
         (plan, frames)
     };
+    // As if there were more boids than a loop turns.
+    let flocks = |crowds| {
+        let (mut plan, frames) = unchanging(&all_kinds_of_flocks(), 5);
+        plan.uses.crowds = crowds;
+        (plan, frames)
+    };
     // Pages as small as they can be, and one for all: llvmpipe keeps something of every dispatch
     // that draws on several pages, so those are few.
     const SMALL: u64 = 64 << 10;
@@ -277,7 +283,8 @@ pub(crate) fn trials() -> Vec<Trial> {
             LARGE,
         ),
         Trial::new("covering", layered(turning(&covering(), 4)), 64, LARGE),
-        Trial::new("flocks", unchanging(&all_kinds_of_flocks(), 5), 24, LARGE),
+        Trial::new("flocks", layered(flocks(false)), 24, LARGE),
+        Trial::new("crowded flocks", flocks(true), 64, LARGE),
         Trial::new("glaring", unchanging(&glaring(), 6), 64, LARGE),
         Trial::new("cut corners", unchanging(&cut_corners(), 2), 64, LARGE),
         Trial::new(
