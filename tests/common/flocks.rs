@@ -37,9 +37,16 @@ pub(crate) fn all_kinds_of_flocks() -> Scene {
          edges = { kind = \"wrap\", min = [0, 0, 0], max = [500, 300, 0] }\nforce = [0, 0.1, 0]\n\
          shape = \"disc\"\nopacity = 0.5\nmirrored = true"
             .into(),
+        // More cells than two runs of the prefix sum.
+        format!(
+            "name = \"g\"\ncount = 1500\nregion = {{ {box_of} }}\nopacity = 0\n\
+             edges = {{ kind = \"torus\", {box_of} }}\nperception_radius = 5\n\
+             [[flock.relation]]\nkind = \"flock\"\n"
+        ),
         still("d", "force = [0, 0.1, 0]"),
         still("e", "force = [0, 0, 0.1]\ndimensions = 3"),
-        still("f", ""),
+        // The last, of one less than sixteen.
+        still("f", "").replace("count = 3", "count = 15"),
     ];
     let text: String = flocks
         .iter()
