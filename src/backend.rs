@@ -5,7 +5,7 @@ mod record;
 use std::any::Any;
 
 use crate::layout::FrameStats;
-use crate::plan::{FrameInputs, STAGES, Stage};
+use crate::plan::{FrameInputs, Population, STAGES, Stage};
 
 pub use record::{BindingRecord, BufferRecord, DispatchRecord, Groups, KernelRecord, StageRecord};
 
@@ -94,6 +94,15 @@ pub(crate) fn try_copied(words: &[u32], what: &str) -> Result<Vec<u32>, BackendE
     Ok(copy)
 }
 
+/// Everybody who lives, as words in storage order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Living<'a> {
+    /// Words of [`crate::layout::Particle`].
+    pub particles: &'a [u32],
+    /// Words of [`crate::layout::Boid`].
+    pub boids: &'a [u32],
+}
+
 /// A plan under way on some processor. Pools start empty. It may move to another thread.
 pub trait Backend: Any + Send {
     /// Name of the adapter, for people.
@@ -143,14 +152,14 @@ pub trait Backend: Any + Send {
     /// As [`Backend::run_stage`].
     fn take_statistics(&mut self) -> Result<Vec<FrameStats>, BackendError>;
 
-    /// Puts the living in place of those there are, as words of [`crate::layout::Particle`] in
-    /// storage order, as after the last of the frames `recent`: those whose parameter rows the
-    /// living may have. Statistics that have not been taken are lost. There are at most as many
-    /// particles as the plan has room for, and all are of its systems.
+    /// Puts the living in place of those there are, as after the last of the frames `recent`: those
+    /// whose parameter rows the living may have. Statistics that have not been taken are lost. There
+    /// are at most as many particles as the plan has room for, and all are of its systems; there
+    /// are as many boids as the plan has.
     ///
     /// # Errors
     /// As [`Backend::run_stage`].
-    fn restore(&mut self, particles: &[u32], recent: &[FrameInputs]) -> Result<(), BackendError>;
+    fn restore(&mut self, living: &Living<'_>, recent: &[FrameInputs]) -> Result<(), BackendError>;
 
     /// The stage as it would run now, with everything that it reads; `None` on a backend that has
     /// no kernels. Everything before it in the frame must have run.
@@ -166,11 +175,25 @@ pub trait Backend: Any + Send {
         Ok(None)
     }
 
-    /// Digest of the live particles, made on the backend itself.
+    /// Digest of all that lives, made on the backend itself: the sum of its populations', by halves.
     ///
     /// # Errors
     /// As [`Backend::run_stage`].
-    fn state_digest(&mut self) -> Result<u64, BackendError>;
+    fn state_digest(&mut self) -> Result<u64, BackendError> {
+        let mut halves = [0u32; 2];
+        for population in Population::ALL {
+            let digest = self.population_digest(population)?;
+            halves[0] = halves[0].wrapping_add(digest as u32);
+            halves[1] = halves[1].wrapping_add((digest >> 32) as u32);
+        }
+        Ok(u64::from(halves[0]) | (u64::from(halves[1]) << 32))
+    }
+
+    /// Digest of one population, made on the backend itself; 0 where it has nobody.
+    ///
+    /// # Errors
+    /// As [`Backend::run_stage`].
+    fn population_digest(&mut self, population: Population) -> Result<u64, BackendError>;
 
     /// Digest of the image, made on the backend itself.
     ///

@@ -1,9 +1,13 @@
 //! Every struct that Rust and WGSL share, once. `wgsl/lib/layout.wgsl` is the twin of this file,
 //! and a test compares the two field by field (name, offset, size) through naga.
 
+pub mod flock;
+
 use bytemuck::{Pod, Zeroable};
 
 use crate::exact::shared_constants;
+
+pub use flock::*;
 
 /// Who a particle is and where it is: 32 bytes, in its system's space.
 #[repr(C)]
@@ -116,6 +120,30 @@ shared_constants! {
     pub const ROW_LUMINANCE: u32 = 8;
     /// Births are spread over the frame.
     pub const ROW_WITHIN_FRAME: u32 = 16;
+    /// Particles cover what is behind them.
+    pub const ROW_OVER: u32 = 32;
+    /// They are shaded as spheres.
+    pub const ROW_LIT_SPHERE: u32 = 64;
+    /// How soft their edge is stands above this bit, in 65,535ths.
+    pub const ROW_SOFTNESS_SHIFT: u32 = 16;
+    /// Word of `cover_counts`: records of something.
+    pub const COVERS_SEEN: u32 = 0;
+    /// Records of particles.
+    pub const COVERS_OF_PARTICLES: u32 = 1;
+    /// Records of boids.
+    pub const COVERS_OF_BOIDS: u32 = 2;
+    /// [`Cover::shape`]`[2]`: nothing is covered.
+    pub const COVER_NONE: u32 = 0;
+    /// A disc.
+    pub const COVER_DISC: u32 = 1;
+    /// A disc with an edge of its own width, smoothed.
+    pub const COVER_SOFT_DISC: u32 = 2;
+    /// A square along the axes.
+    pub const COVER_SQUARE: u32 = 3;
+    /// A segment of some width with round ends.
+    pub const COVER_SEGMENT: u32 = 4;
+    /// A triangle.
+    pub const COVER_TRIANGLE: u32 = 5;
     /// [`SystemFrame::flags`]: births are floor(x + u) with u uniform, else floor(x + 1/2).
     pub const SYSTEM_STOCHASTIC: u32 = 1;
     /// Births are counted for each pixel of the screen area.
@@ -197,6 +225,29 @@ pub struct SystemFrame {
     pub burst_var: f32,
 }
 
+/// Something that covers what is behind it, as it is seen: a family's `shapes` stage writes one for
+/// each that it has (`wgsl/lib/shape.wgsl` makes them), in the order of their identities. Floats are
+/// bits.
+///
+/// Families stand one after the other in `covers`: a family writes how many records it has into its
+/// word of `cover_counts` (`COVERS_OF_` constants), begins behind those of the words before, and adds
+/// how many of its records are of something to word 0. Of equal depth, what comes later is in front.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+pub struct Cover {
+    /// x and y in pixels of two points: a triangle's first two corners, a segment's ends; a disc's or
+    /// square's centre, then for shading the reciprocal of a disc's radius.
+    pub points: [u32; 4],
+    /// A triangle's third corner. Of a disc or segment, how far it reaches from its centre or axis,
+    /// pixels, and the reciprocal of its edge's width; of a square, half its width. Then what it is
+    /// (`COVER_` constants), and its depth along the view axis.
+    pub shape: [u32; 4],
+    /// Colour in red, green, blue, before exposure; alpha, 0 to 1.
+    pub color: [u32; 4],
+    /// What the light adds to the colour of a sphere where it falls straight; w unused.
+    pub lit: [u32; 4],
+}
+
 /// What ends particles that come where they should not be, in world space (Reeves 1983, 2.4).
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
@@ -245,6 +296,12 @@ pub struct Frame {
     pub closing_view_from_world_z: [f32; 4],
     /// Colour behind everything; w unused.
     pub background: [f32; 4],
+    /// Where the light comes from, in view space (right, up, towards the viewer); w unused.
+    pub light_from: [f32; 4],
+    /// Its red, green, blue; w unused.
+    pub light_color: [f32; 4],
+    /// Red, green, blue of the light from everywhere; w unused.
+    pub ambient_color: [f32; 4],
     /// Pixels per unit of x/z, or of x if the view is orthographic.
     pub focal_px: f32,
     /// The same when the shutter closes.
@@ -285,6 +342,14 @@ pub struct Frame {
     pub layer: u32,
     /// No particle dies of age before it has this many frames.
     pub least_lifetime: u32,
+    /// Grid cells of all flocks.
+    pub cell_count: u32,
+    /// Unused.
+    pub spare_a: u32,
+    /// Unused.
+    pub spare_b: u32,
+    /// Unused.
+    pub spare_c: u32,
 }
 
 /// How many; one record, kept on the device from frame to frame.

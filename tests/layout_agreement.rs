@@ -8,7 +8,8 @@ use motes::gpu::shader::sources::{KERNELS, LIBRARIES, YARDSTICKS};
 use motes::gpu::shader::{self, Access, CompileOptions, CompiledKernel};
 use motes::gpu::{STAGE_KERNELS, check_binding};
 use motes::layout::{
-    self, Bound, Counts, Dispatch, Frame, FrameStats, Particle, SystemFrame, SystemRow, Wind,
+    self, Boid, Bound, Counts, Cover, Dispatch, FlockFrame, Frame, FrameStats, Particle, Relation,
+    SystemFrame, SystemRow, Wind,
 };
 use motes::plan::{BUFFERS, BufferRole, STAGES, Uses, buffer};
 
@@ -91,6 +92,9 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             closing_view_from_world_y,
             closing_view_from_world_z,
             background,
+            light_from,
+            light_color,
+            ambient_color,
             focal_px,
             closing_focal_px,
             center_x_px,
@@ -111,6 +115,10 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             layer_plane_count,
             layer,
             least_lifetime,
+            cell_count,
+            spare_a,
+            spare_b,
+            spare_c,
         }),
         rust_layout!(Counts {
             live,
@@ -132,7 +140,40 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             died_of_intensity,
             died_of_bounds
         }),
+        rust_layout!(Cover {
+            points,
+            shape,
+            color,
+            lit
+        }),
         rust_layout!(Dispatch { x, y, z }),
+        rust_layout!(Boid {
+            position_and_flock,
+            velocity_and_index
+        }),
+        rust_layout!(FlockFrame {
+            region_min,
+            region_extent,
+            acceleration,
+            edges_min,
+            edges_max,
+            torus,
+            torus_inverse,
+            grid_min,
+            cells_per_unit,
+            color,
+            grid,
+            members,
+            ties,
+            drawn,
+        }),
+        rust_layout!(Relation {
+            kinds,
+            reach,
+            separation,
+            alignment,
+            cohesion,
+        }),
     ]
 }
 
@@ -205,7 +246,13 @@ fn constants_agree_bit_for_bit() {
         motes::cpu::wind::CONSTANTS,
         motes::area::CONSTANTS,
         motes::noise::CONSTANTS,
+        motes::cpu::cover::CONSTANTS,
+        motes::cpu::draw::shapes::CONSTANTS,
+        motes::gpu::sort::CONSTANTS,
         layout::CONSTANTS,
+        layout::flock::CONSTANTS,
+        motes::cpu::boid::CONSTANTS,
+        motes::cpu::steering::CONSTANTS,
     ]
     .concat()
     .into_iter()
@@ -215,6 +262,7 @@ fn constants_agree_bit_for_bit() {
         ("DIES_OF_INTENSITY", Fate::DiesOfIntensity as u32),
         ("DIES_OF_BOUNDS", Fate::DiesOfBounds as u32),
         ("DISPATCH_WIDTH", motes::gpu::dispatch::DISPATCH_WIDTH),
+        ("FAMILIES_END", buffer_len("cover_counts")),
         ("STATISTICS_LEN", buffer_len("statistics")),
         // Fields of 21, 21 and 22 bits fill a word of 64: devices alone pack light so.
         ("GREEN_AT", 21),

@@ -117,3 +117,18 @@ fn large_shapes_are_the_same() {
     let plan = Plan::new(&scene, 3).expect("the scene can be planned");
     assert_twins(&plan, &frames_of(&plan, 3), &small_pages());
 }
+
+#[test]
+fn what_covers_is_the_same_stage_by_stage() {
+    let scene = covering();
+    let plan = Plan::new(&scene, 4).expect("the scene can be planned");
+    let mut frames = frames_of(&plan, 4);
+    frames[3].frame.layer = 1;
+    for cover_slice in [0, 1024] {
+        let options = GpuOptions {
+            cover_slice,
+            ..small_pages()
+        };
+        assert_twins(&plan, &frames, &options);
+    }
+}

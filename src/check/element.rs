@@ -35,6 +35,17 @@ const PARTICLE: Fields = &[
     ("slot_and_birth_frame", false),
 ];
 
+const BOID: Fields = &[
+    ("position.x", true),
+    ("position.y", true),
+    ("position.z", true),
+    ("flock", false),
+    ("velocity.x", true),
+    ("velocity.y", true),
+    ("velocity.z", true),
+    ("index", false),
+];
+
 const COUNTS: Fields = &[
     ("live", false),
     ("requested", false),
@@ -57,6 +68,29 @@ const FRAME_STATS: Fields = &[
     ("died_of_bounds", false),
 ];
 
+const COVER: Fields = &[
+    ("points.x", true),
+    ("points.y", true),
+    ("points.z", true),
+    ("points.w", true),
+    ("shape.x", true),
+    ("shape.y", true),
+    ("kind", false),
+    ("depth", true),
+    ("color.red", true),
+    ("color.green", true),
+    ("color.blue", true),
+    ("color.alpha", true),
+    ("lit.red", true),
+    ("lit.green", true),
+    ("lit.blue", true),
+    ("lit.w", false),
+];
+
+const RED_GREEN: Fields = &[("red", true), ("green", true)];
+
+const BLUE_CLEAR: Fields = &[("blue", true), ("clear", true)];
+
 const CHANNELS: Fields = &[("red", false), ("green", false), ("blue", false)];
 
 const WORD: Fields = &[("", false)];
@@ -67,7 +101,11 @@ fn fields(name: &str) -> Fields {
         return WORD;
     };
     match (declared.record, declared.count) {
+        ("Cover", _) => COVER,
+        _ if name == "cover_rg" => RED_GREEN,
+        _ if name == "cover_bt" => BLUE_CLEAR,
         ("Particle", _) => PARTICLE,
+        ("Boid", _) => BOID,
         ("Counts", _) => COUNTS,
         ("FrameStats", _) => FRAME_STATS,
         (_, Count::Pixels(3)) => CHANNELS,
@@ -86,8 +124,9 @@ pub(super) fn element(
     let fields = fields(name);
     let record = word / fields.len();
     let (field, is_float) = fields[word % fields.len()];
-    let is_picture =
-        buffer(name).is_some_and(|declared| matches!(declared.count, Count::Pixels(_)));
+    let is_picture = buffer(name).is_some_and(|declared| {
+        matches!(declared.count, Count::Pixels(_) | Count::CoveredPixels(_))
+    });
     let across = plan.width.max(1) as usize;
     let pixel = is_picture.then_some(((record % across) as u32, (record / across) as u32));
     Element {

@@ -54,7 +54,7 @@ fn begins_at(system: &System) -> impl Iterator<Item = i32> + '_ {
 }
 
 /// The scene with a picture that fits in 320×180 and fewer births, so that about 20,000 particles
-/// are alive at once at most in its first `frames` frames. A scene that is small enough keeps its
+/// are alive at once at most in its first `frames` frames, and as many boids. A scene that is small enough keeps its
 /// births. Depends on nothing but its arguments.
 ///
 /// # Errors
@@ -70,6 +70,11 @@ pub fn shrunk(scene: &Scene, frames: u32) -> Result<Scene, PlanError> {
     if fit < 1.0 {
         let side = |pixels: u32| ((f64::from(pixels) * fit) as u32).max(1);
         (image.width, image.height) = (side(image.width), side(image.height));
+    }
+    let boids: u32 = small.flocks.iter().map(|flock| flock.count).sum();
+    let share = f64::from(MOST_PARTICLES) / f64::from(boids.max(MOST_PARTICLES));
+    for flock in &mut small.flocks {
+        flock.count = ((f64::from(flock.count) * share) as u32).max(1);
     }
     let mut factor = 1.0f64;
     for _ in 0..MOST_TRIES {

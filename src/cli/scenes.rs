@@ -3,7 +3,7 @@
 use super::{CliError, note, print};
 use crate::json::Json;
 use crate::scene::schema::Kind;
-use crate::scene::{BUILTIN, BUILTIN_FILES, Knob, KnobValue, Loader, load};
+use crate::scene::{BUILTIN, BUILTIN_FILES, Knob, KnobValue, Loader, Scene, load};
 
 /// Columns of a terminal that nobody has widened.
 const COLUMNS: usize = 80;
@@ -75,7 +75,7 @@ pub(super) fn run(args: &ScenesArgs) -> Result<u8, CliError> {
         let scene = load(builtin.name)?;
         let about = wrapped(&scene.description, width + 1);
         text += &format!(
-            "{:<width$} {}\n{about}{:<width$} {} frames at {} a second, {}x{}, {} systems\n",
+            "{:<width$} {}\n{about}{:<width$} {} frames at {} a second, {}x{}, {}\n",
             builtin.name,
             scene.title,
             "",
@@ -83,11 +83,25 @@ pub(super) fn run(args: &ScenesArgs) -> Result<u8, CliError> {
             scene.frame_rate,
             scene.image.width,
             scene.image.height,
-            scene.systems.len()
+            members(&scene)
         );
     }
     print(&text)?;
     Ok(0)
+}
+
+/// What a scene is made of: "2 systems, 1 flock".
+fn members(scene: &Scene) -> String {
+    let of = |count: usize, one: &str| match count {
+        0 => None,
+        1 => Some(format!("1 {one}")),
+        count => Some(format!("{count} {one}s")),
+    };
+    let parts = [
+        of(scene.systems.len(), "system"),
+        of(scene.flocks.len(), "flock"),
+    ];
+    parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 
 /// The text in lines of at most [`COLUMNS`] columns, each begun with `indent` spaces.

@@ -8,6 +8,11 @@ use crate::rng::pcg4d;
 
 /// Digest of records of `vectors_per_record` × 4 words. Words missing from the last vector are 0.
 pub fn digest(words: &[u32], vectors_per_record: usize) -> u64 {
+    digest_from(0, words, vectors_per_record)
+}
+
+/// As [`digest`], of records that are counted from `first_index`.
+pub fn digest_from(first_index: u32, words: &[u32], vectors_per_record: usize) -> u64 {
     let record_words = vectors_per_record * 4;
     let (low, high) = words
         .par_chunks(record_words * 4096)
@@ -16,7 +21,12 @@ pub fn digest(words: &[u32], vectors_per_record: usize) -> u64 {
             let first = chunk * 4096;
             let mut sums = (0u32, 0u32);
             for (at, record) in words.chunks(record_words).enumerate() {
-                let mut hash = pcg4d(UVec4::new((first + at) as u32, 0, 0, 0));
+                let mut hash = pcg4d(UVec4::new(
+                    first_index.wrapping_add((first + at) as u32),
+                    0,
+                    0,
+                    0,
+                ));
                 for vector in record.chunks(4) {
                     let word = |i: usize| vector.get(i).copied().unwrap_or(0);
                     hash = pcg4d(hash ^ UVec4::new(word(0), word(1), word(2), word(3)));

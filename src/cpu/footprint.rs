@@ -16,7 +16,7 @@ shared_constants! {
     /// Footprints of at most this many pixels are summed one by one.
     pub(crate) const FEW_CELLS: u32 = 2048;
     /// A disc of at least this radius needs no gain; below half of it, all of it.
-    const LARGE_RADIUS_PX: f32 = 4.0;
+    pub(crate) const LARGE_RADIUS_PX: f32 = 4.0;
     /// A disc at rest that reaches no further than this is smaller than half of the above, and
     /// covers pixels of a square of so many at a side.
     const SMALL_REACH_PX: f32 = 2.47;
@@ -71,7 +71,7 @@ pub(crate) fn is_visible(view: &Frame, start: Projected, end: Projected, radius_
 
 /// The radius whose edge, one pixel wide, gives the area of a disc of `radius_px`.
 #[inline]
-fn edged_radius(radius_px: f32) -> f32 {
+pub(crate) fn edged_radius(radius_px: f32) -> f32 {
     max_exact(
         square_root(at_least_zero(radius_px * radius_px - 0.083_333_336)),
         0.5,
@@ -80,7 +80,7 @@ fn edged_radius(radius_px: f32) -> f32 {
 
 /// How much of the unit interval from `pixel` lies within [low, high].
 #[inline]
-fn overlap(pixel: i32, low: f32, high: f32) -> f32 {
+pub(crate) fn overlap(pixel: i32, low: f32, high: f32) -> f32 {
     let left = f32_of_i32(pixel);
     clamp_unit(min_exact(left + 1.0, high) - max_exact(left, low))
 }

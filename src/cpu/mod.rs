@@ -3,15 +3,21 @@
 //! Stages of float work are line-by-line twins of their WGSL kernels; births, compaction and
 //! digests are plain Rust, so that the two sides are not one translation.
 
+pub mod boid;
+pub mod cover;
 mod digest;
 pub mod draw;
 pub mod emission;
+pub mod flock;
 pub mod footprint;
+pub mod grid;
 pub mod light;
 pub mod particle;
 pub mod particles;
 pub mod projection;
+pub mod shape;
 pub(crate) mod sprite;
+pub mod steering;
 pub mod systems;
 pub mod wind;
 
@@ -19,14 +25,15 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use crate::backend::{Backend, BackendError, available_bytes, try_copied, try_zeroed};
-use crate::layout::{Counts, FrameStats, Particle, SystemRow};
-use crate::plan::{FrameInputs, MeshTables, Plan, Stage};
+use crate::backend::{Backend, BackendError, Living, available_bytes, try_copied, try_zeroed};
+use crate::layout::{COVER_NONE, Counts, Cover, FrameStats, Particle, SystemRow};
+use crate::plan::{FrameInputs, MeshTables, Plan, Population, Stage};
+use flock::Flocks;
 use light::LightSums;
 use particle::{Identity, row_index};
 use particles::cull::{Fate, fate_of};
 
-pub use digest::digest;
+pub use digest::{digest, digest_from};
 
 /// Particles that a task takes at a time; a multiple of 32, so that words of bits stay whole.
 const CHUNK: usize = 8192;
@@ -45,7 +52,13 @@ pub struct CpuBackend {
     deaths: [u32; 2],
     curve_points: Vec<[f32; 4]>,
     meshes: Arc<MeshTables>,
+    flocks: Flocks,
     light: LightSums,
+    /// Whether anything covers; if not, what follows is empty.
+    has_covers: bool,
+    covers: Vec<Cover>,
+    cover_rg: Vec<[u32; 2]>,
+    cover_bt: Vec<[u32; 2]>,
     image: Vec<u32>,
     statistics: Vec<FrameStats>,
     threads: Option<rayon::ThreadPool>,
@@ -71,6 +84,7 @@ impl CpuBackend {
             })?;
         let rows = plan.system_count as usize * plan.row_count as usize;
         let pixels = plan.width as usize * plan.height as usize;
+        let covered_pixels = if plan.uses.covers { pixels } else { 0 };
         Ok(Self {
             rows: try_zeroed(rows, "parameter rows")?,
             birth_counts: Vec::new(),
@@ -82,7 +96,12 @@ impl CpuBackend {
             deaths: [0; 2],
             curve_points: plan.curve_points.clone(),
             meshes: Arc::clone(&plan.meshes),
+            flocks: Flocks::new(plan)?,
             light: LightSums::new(plan.width, plan.height),
+            has_covers: plan.uses.covers,
+            covers: Vec::new(),
+            cover_rg: try_zeroed(covered_pixels, "covered pixels")?,
+            cover_bt: try_zeroed(covered_pixels, "covered pixels")?,
             image: try_zeroed(pixels, "pixels")?,
             statistics: Vec::new(),
             threads: threads.map(pool).transpose()?,
@@ -90,11 +109,29 @@ impl CpuBackend {
     }
 
     fn run(&mut self, stage: Stage, inputs: &FrameInputs) -> Result<(), BackendError> {
+        if !stage.is_due(inputs) {
+            return Ok(());
+        }
         match stage {
             Stage::Births => self.births(inputs),
             Stage::Emit => self.emit(inputs)?,
             Stage::Cull => self.cull(inputs),
             Stage::Advance => self.advance(inputs)?,
+            Stage::Hatch => self.flocks.hatch(inputs),
+            Stage::Cells => self.flocks.sort(inputs),
+            Stage::Steer => self.flocks.steer(inputs),
+            Stage::Shapes if self.has_covers => {
+                let rows = &self.rows;
+                let records = self.particles.par_iter().with_min_len(CHUNK / 8);
+                let record = |particle| draw::shapes::shapes(particle, inputs, rows);
+                records.map(record).collect_into_vec(&mut self.covers);
+                self.flocks.shapes(inputs, &mut self.covers);
+            }
+            Stage::Cover if self.has_covers => {
+                let (rg, bt) = (&mut self.cover_rg, &mut self.cover_bt);
+                draw::cover::cover(&self.covers, &inputs.frame, rg, bt);
+            }
+            Stage::Shapes | Stage::Cover => {}
             Stage::Splat => {
                 self.light.clear();
                 let (rows, light) = (&self.rows, &self.light);
@@ -106,12 +143,14 @@ impl CpuBackend {
             }
             Stage::Resolve => {
                 let light = &self.light;
+                let (rg, bt) = (&self.cover_rg, &self.cover_bt);
                 self.image
                     .par_iter_mut()
                     .with_min_len(4096)
                     .enumerate()
                     .for_each(|(pixel, out)| {
-                        *out = draw::resolve::resolve(&inputs.frame, light, pixel)
+                        let covers = rg.get(pixel).copied().zip(bt.get(pixel).copied());
+                        *out = draw::resolve::resolve(&inputs.frame, light, covers, pixel)
                     });
             }
         }
@@ -235,6 +274,19 @@ impl CpuBackend {
     }
 }
 
+impl CpuBackend {
+    /// How many records are of something, how many there are of particles, and of boids; room for
+    /// more.
+    fn cover_counts(&self) -> Vec<u32> {
+        let is_something = |cover: &&Cover| cover.shape[2] != COVER_NONE;
+        let something = self.covers.iter().filter(is_something).count();
+        let of_particles = self.particles.len().min(self.covers.len());
+        let of_boids = self.covers.len() - of_particles;
+        let counts = [something, of_particles, of_boids, 0, 0, 0, 0, 0];
+        counts.map(|count| count as u32).to_vec()
+    }
+}
+
 /// Resizes a pool without aborting the program when memory runs out.
 fn grow(pool: &mut Vec<Particle>, len: usize) -> Result<(), BackendError> {
     let failed = || BackendError::OutOfMemory(format!("a pool of {len} particles"));
@@ -281,6 +333,14 @@ impl Backend for CpuBackend {
             "particles" => try_copied(bytemuck::cast_slice(&self.particles), "the particles")?,
             "alive_bits" => self.alive_bits.clone(),
             "deaths" => self.deaths.to_vec(),
+            "boids" => try_copied(bytemuck::cast_slice(&self.flocks.boids), "the boids")?,
+            "boid_cells" => self.flocks.cells.clone(),
+            "cell_starts" => self.flocks.starts.clone(),
+            "sorted_boids" => try_copied(bytemuck::cast_slice(&self.flocks.sorted), "the boids")?,
+            "covers" => try_copied(bytemuck::cast_slice(&self.covers), "what covers")?,
+            "cover_counts" => self.cover_counts(),
+            "cover_rg" => bytemuck::cast_slice(&self.cover_rg).to_vec(),
+            "cover_bt" => bytemuck::cast_slice(&self.cover_bt).to_vec(),
             "light_low" => (0..self.light.len())
                 .map(|at| self.light.limbs(at).0)
                 .collect(),
@@ -300,7 +360,9 @@ impl Backend for CpuBackend {
         Ok(std::mem::take(&mut self.statistics))
     }
 
-    fn restore(&mut self, particles: &[u32], recent: &[FrameInputs]) -> Result<(), BackendError> {
+    fn restore(&mut self, living: &Living<'_>, recent: &[FrameInputs]) -> Result<(), BackendError> {
+        let particles = living.particles;
+        bytemuck::cast_slice_mut(&mut self.flocks.boids).copy_from_slice(living.boids);
         recent.iter().for_each(|inputs| self.keep_rows(inputs));
         let live = particles.len() * 4 / size_of::<Particle>();
         self.particles.clear();
@@ -315,8 +377,12 @@ impl Backend for CpuBackend {
         Ok(())
     }
 
-    fn state_digest(&mut self) -> Result<u64, BackendError> {
-        Ok(digest(bytemuck::cast_slice(&self.particles), 2))
+    fn population_digest(&mut self, population: Population) -> Result<u64, BackendError> {
+        let words = match population {
+            Population::Particles => bytemuck::cast_slice(&self.particles),
+            Population::Boids => bytemuck::cast_slice(&self.flocks.boids),
+        };
+        Ok(digest_from(population.first_index(), words, 2))
     }
 
     fn image_digest(&mut self) -> Result<u64, BackendError> {

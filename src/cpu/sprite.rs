@@ -1,7 +1,7 @@
 //! What a particle looks like in the picture, before its pixels (Reeves 1983, 2.5 and 3). Twin of
 //! `wgsl/lib/sprite.wgsl`.
 
-use glam::Vec3;
+use glam::{Vec3, Vec4};
 
 use crate::cpu::footprint::MOST_RADIUS_PX;
 use crate::cpu::particle::{appearance_of, identity_of};
@@ -17,7 +17,10 @@ pub(crate) struct Sprite {
     pub(crate) start: Projected,
     pub(crate) end: Projected,
     pub(crate) radius_px: f32,
+    /// Light, as far as it is not transparent.
     pub(crate) color: Vec3,
+    /// Colour, and how opaque it is.
+    pub(crate) surface: Vec4,
     pub(crate) square: bool,
     pub(crate) conserved: bool,
 }
@@ -49,6 +52,7 @@ pub(crate) fn sprite_of(inputs: &FrameInputs, row: &SystemRow, particle: &Partic
         end,
         radius_px: min_exact(look.size * start.scale, MOST_RADIUS_PX),
         color: look.color * light,
+        surface: look.color.extend(1.0 - look.transparency),
         square: row.kinds[1] == PARTICLE_RECTANGLE,
         conserved: row.kinds[2] != STREAK_CONSTANT,
     }

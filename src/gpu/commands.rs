@@ -6,8 +6,9 @@ use super::GpuBackend;
 use super::dispatch::dispatch_for;
 use super::kernel::Kernel;
 use super::shader::Access;
+use super::sort;
 use crate::backend::BackendError;
-use crate::plan::{Plan, Stage};
+use crate::plan::{Plan, Population, Stage};
 
 /// How a stage uses a kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,6 +43,53 @@ enum Work {
     OncePages,
     /// Page by page, as the dispatches for what covers many pixels say.
     LargePages,
+    /// Flock by flock, one a boid.
+    Boids,
+    /// One for every 64 cells of the flocks' grids.
+    CellRuns,
+    /// One invocation, told of the tiles.
+    OnceTiled,
+    /// One a record of what may cover.
+    Covers,
+    /// In every pass of the sort: one a run of pairs, one a digit, one in all.
+    SortRuns,
+    /// As above.
+    SortDigits,
+    /// As above.
+    SortOnce,
+    /// In every round of what covers: as that of its three dispatches says.
+    Round(u32),
+}
+
+/// Neighbours in [`STAGE_KERNELS`] that take turns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Turns {
+    /// In each pass of the sort by 32-bit keys.
+    Sort,
+    /// In each round of what covers.
+    Rounds,
+}
+
+impl Work {
+    fn turns(self) -> Option<Turns> {
+        match self {
+            Self::SortRuns | Self::SortDigits | Self::SortOnce => Some(Turns::Sort),
+            Self::Round(_) => Some(Turns::Rounds),
+            _ => None,
+        }
+    }
+}
+
+/// The kernels that take turns with this one, itself included.
+pub(super) fn turning_with(kernel: &KernelUse) -> Vec<&'static KernelUse> {
+    let turns = kernel.work.turns();
+    let is_one = |other: &&KernelUse| {
+        other.kernel == kernel.kernel || (turns.is_some() && other.work.turns() == turns)
+    };
+    let all = STAGE_KERNELS.iter();
+    all.filter(|other| other.stage == kernel.stage)
+        .filter(is_one)
+        .collect()
 }
 
 /// Every kernel of a frame in order; reading it is reading the frame on a device.
@@ -102,6 +150,101 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
         work: Work::PagePairs,
     },
     KernelUse {
+        stage: Stage::Hatch,
+        kernel: "flock/hatch",
+        work: Work::Boids,
+    },
+    KernelUse {
+        stage: Stage::Cells,
+        kernel: "flock/count_cells",
+        work: Work::Boids,
+    },
+    KernelUse {
+        stage: Stage::Cells,
+        kernel: "flock/sum_cells",
+        work: Work::CellRuns,
+    },
+    KernelUse {
+        stage: Stage::Cells,
+        kernel: "flock/cell_offsets",
+        work: Work::Once,
+    },
+    KernelUse {
+        stage: Stage::Cells,
+        kernel: "flock/spread_cells",
+        work: Work::CellRuns,
+    },
+    KernelUse {
+        stage: Stage::Cells,
+        kernel: "flock/cell_members",
+        work: Work::Boids,
+    },
+    KernelUse {
+        stage: Stage::Cells,
+        kernel: "flock/cells",
+        work: Work::Boids,
+    },
+    KernelUse {
+        stage: Stage::Steer,
+        kernel: "flock/steer",
+        work: Work::Boids,
+    },
+    KernelUse {
+        stage: Stage::Shapes,
+        kernel: "draw/shapes",
+        work: Work::LivePages,
+    },
+    KernelUse {
+        stage: Stage::Shapes,
+        kernel: "draw/boid_shapes",
+        work: Work::Boids,
+    },
+    KernelUse {
+        stage: Stage::Cover,
+        kernel: "draw/cover_work",
+        work: Work::OnceTiled,
+    },
+    KernelUse {
+        stage: Stage::Cover,
+        kernel: "draw/cover_keys",
+        work: Work::Covers,
+    },
+    KernelUse {
+        stage: Stage::Cover,
+        kernel: "sort/count_digits",
+        work: Work::SortRuns,
+    },
+    KernelUse {
+        stage: Stage::Cover,
+        kernel: "sort/sum_digits",
+        work: Work::SortDigits,
+    },
+    KernelUse {
+        stage: Stage::Cover,
+        kernel: "sort/start_digits",
+        work: Work::SortOnce,
+    },
+    KernelUse {
+        stage: Stage::Cover,
+        kernel: "sort/place_digits",
+        work: Work::SortRuns,
+    },
+    KernelUse {
+        stage: Stage::Cover,
+        kernel: "draw/clear_tiles",
+        work: Work::Round(0),
+    },
+    KernelUse {
+        stage: Stage::Cover,
+        kernel: "draw/bin",
+        work: Work::Round(1),
+    },
+    KernelUse {
+        stage: Stage::Cover,
+        kernel: "draw/cover",
+        work: Work::Round(2),
+    },
+    KernelUse {
         stage: Stage::Splat,
         kernel: "draw/splat",
         work: Work::LivePages,
@@ -123,6 +266,12 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
     },
 ];
 
+/// Whether a run of the plan ever dispatches the kernel; those of no stage are always at hand.
+pub(super) fn is_used(kernel: &str, plan: &Plan) -> bool {
+    let mut uses = STAGE_KERNELS.iter().filter(|one| one.kernel == kernel);
+    uses.all(|one| plan.has(one.stage))
+}
+
 /// Records that an invocation of the digest takes.
 const DIGEST_RUN: u32 = 64;
 
@@ -133,6 +282,8 @@ pub(super) struct Command {
     group: wgpu::BindGroup,
     /// The source and the target page, where it works page by page.
     pub(super) pages: [usize; 2],
+    /// Whether `sort_pairs` and `sorted_pairs` have changed places.
+    pub(super) swaps: bool,
     pub(super) immediates: Vec<u32>,
     pub(super) size: Size,
 }
@@ -170,6 +321,7 @@ struct Pages<'a> {
     survivors: Option<&'a wgpu::Buffer>,
     large: Option<&'a wgpu::Buffer>,
     words: Option<&'a wgpu::Buffer>,
+    swaps: bool,
 }
 
 impl GpuBackend {
@@ -182,18 +334,35 @@ impl GpuBackend {
         workgroup_size: u32,
     ) -> Result<Vec<Command>, BackendError> {
         let mut commands = Vec::new();
-        for kernel_use in STAGE_KERNELS
+        if !plan.has(stage) {
+            return Ok(commands);
+        }
+        let of_stage: Vec<&KernelUse> = STAGE_KERNELS
             .iter()
             .filter(|kernel_use| kernel_use.stage == stage)
-        {
-            self.expand_kernel(kernel_use, current, plan, workgroup_size, &mut commands)?;
+            .collect();
+        let take_turns = |a: &&KernelUse, b: &&KernelUse| {
+            a.work.turns().is_some() && a.work.turns() == b.work.turns()
+        };
+        for group in of_stage.chunk_by(take_turns) {
+            let turns = match group[0].work.turns() {
+                Some(Turns::Sort) => sort::PASSES,
+                Some(Turns::Rounds) => self.memory.tiling.rounds,
+                None => 1,
+            };
+            for turn in 0..turns {
+                for kernel_use in group {
+                    let turn_of = (*kernel_use, turn);
+                    self.expand_kernel(turn_of, current, plan, workgroup_size, &mut commands)?;
+                }
+            }
         }
         Ok(commands)
     }
 
     fn expand_kernel(
         &self,
-        kernel_use: &KernelUse,
+        (kernel_use, turn): (&KernelUse, u32),
         current: usize,
         plan: &Plan,
         workgroup_size: u32,
@@ -201,6 +370,8 @@ impl GpuBackend {
     ) -> Result<(), BackendError> {
         let kernel = kernel_use.kernel;
         let paging = self.memory.paging;
+        let tiling = self.memory.tiling;
+        let swaps = kernel_use.work.turns() == Some(Turns::Sort) && turn % 2 == 1;
         let (here, there) = (&self.memory.pools[current], &self.memory.pools[1 - current]);
         let mut push = |source: usize, target: usize, immediates: &[u32], size: Size| {
             let pages = Pages {
@@ -209,6 +380,7 @@ impl GpuBackend {
                 survivors: there.get(target),
                 large: self.memory.large.get(source),
                 words: None,
+                swaps,
             };
             let command = self.command(kernel, &pages, immediates, size)?;
             commands.push(command);
@@ -222,7 +394,24 @@ impl GpuBackend {
             Work::Once => push(0, 0, &[], Size::Direct(1, 1)),
             Work::Systems => push(0, 0, &[], direct(plan.system_count)),
             Work::Pixels => push(0, 0, &[], direct((plan.width * plan.height).div_ceil(4))),
+            Work::CellRuns => push(0, 0, &[], direct(plan.cell_count.div_ceil(64))),
+            Work::Boids => plan
+                .boid_counts()
+                .zip(0..)
+                .try_for_each(|(count, flock)| push(0, 0, &[flock], direct(count))),
             Work::Listed(at) => push(0, 0, &[], Size::Indirect(at)),
+            Work::OnceTiled => push(0, 0, &tiling.immediates(0), Size::Direct(1, 1)),
+            Work::Covers => push(0, 0, &[], Size::Indirect(paging.spare_dispatch(1))),
+            Work::SortRuns => {
+                let size = Size::Indirect(paging.spare_dispatch(0));
+                push(0, 0, &[turn * sort::DIGIT_BITS], size)
+            }
+            Work::SortDigits => push(0, 0, &[], direct(sort::DIGITS)),
+            Work::SortOnce => push(0, 0, &[], Size::Direct(1, 1)),
+            Work::Round(at) => {
+                let size = Size::Indirect(paging.spare_dispatch(2 + 3 * turn + at));
+                push(0, 0, &tiling.immediates(turn), size)
+            }
             Work::NewbornPages => (0..paging.page_count).try_for_each(|page| {
                 push(
                     page as usize,
@@ -277,6 +466,8 @@ impl GpuBackend {
                 "survivors" => pages.survivors,
                 "large_particles" => pages.large,
                 "words" => pages.words,
+                "sort_pairs" if pages.swaps => Some(self.memory.named("sorted_pairs")?),
+                "sorted_pairs" if pages.swaps => Some(self.memory.named("sort_pairs")?),
                 name => Some(self.memory.named(name)?),
             };
             let buffer = page.ok_or_else(|| {
@@ -300,13 +491,36 @@ impl GpuBackend {
             kernel: kernel_name,
             group,
             pages: pages.at,
+            swaps: pages.swaps,
             immediates: immediates.to_vec(),
             size,
         })
     }
 
-    /// The digest of the living in pool `current`.
-    pub(super) fn particle_digest(&self, current: usize) -> Result<Vec<Command>, BackendError> {
+    /// The digest of a population; of particles, those in pool `current`.
+    pub(super) fn population_commands(
+        &self,
+        population: Population,
+        current: usize,
+    ) -> Result<Vec<Command>, BackendError> {
+        let first = population.first_index();
+        match population {
+            Population::Particles => self.particle_digest(current),
+            Population::Boids if self.boid_count == 0 => Ok(Vec::new()),
+            Population::Boids => {
+                let boids = self.memory.named("boids")?;
+                Ok(vec![self.digest_command(
+                    boids,
+                    first,
+                    self.boid_count,
+                    2,
+                    false,
+                )?])
+            }
+        }
+    }
+
+    fn particle_digest(&self, current: usize) -> Result<Vec<Command>, BackendError> {
         let page_len = self.memory.paging.page_len;
         self.memory.pools[current]
             .iter()
@@ -329,6 +543,7 @@ impl GpuBackend {
             survivors: None,
             large: None,
             words: None,
+            swaps: false,
         };
         let (x, y) = dispatch_for(self.width * self.height, self.workgroup_size);
         self.command(kernel, &pages, &[], Size::Direct(x, y))
@@ -361,6 +576,7 @@ impl GpuBackend {
             survivors: None,
             large: None,
             words: Some(words),
+            swaps: false,
         };
         let (x, y) = dispatch_for(records.div_ceil(DIGEST_RUN), self.workgroup_size);
         let immediates = [first, records, vectors_per_record, 0, u32::from(live_only)];

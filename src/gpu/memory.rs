@@ -4,9 +4,11 @@ use std::collections::HashMap;
 use std::iter;
 
 use super::device::GpuDevice;
+use super::sort;
+use super::tiling::Tiling;
 use crate::backend::{BackendError, available_bytes};
 use crate::layout::{Dispatch, Particle};
-use crate::plan::{BUFFERS, BufferRole, Count, Plan};
+use crate::plan::{BUFFERS, BufferRole, Count, Plan, Stage};
 
 /// A page holds a multiple of this many particles: whole words of bits, and whole runs of the scan.
 const PAGE_GRAIN: u32 = 2048;
@@ -46,6 +48,11 @@ impl Paging {
         self.large_dispatch(self.page_count)
     }
 
+    /// The sort's runs, then its pairs, then three for each round of what covers.
+    pub(super) fn spare_dispatch(&self, place: u32) -> u32 {
+        self.large_dispatch(self.page_count) + place
+    }
+
     pub(super) fn large_dispatch(&self, page: u32) -> u32 {
         self.pair_dispatch(self.page_count, 0) + page
     }
@@ -71,6 +78,7 @@ impl Paging {
 #[derive(Debug)]
 pub(super) struct Memory {
     pub(super) paging: Paging,
+    pub(super) tiling: Tiling,
     pub(super) pools: [Vec<wgpu::Buffer>; 2],
     /// For each page, the particles that cover many pixels: a count, its copy, indices.
     pub(super) large: Vec<wgpu::Buffer>,
@@ -86,6 +94,7 @@ impl Memory {
         plan: &Plan,
         most_page_bytes: u64,
         wide: bool,
+        tiling: Tiling,
     ) -> Result<Self, BackendError> {
         let limits = gpu.device.limits();
         let most_binding = limits
@@ -109,9 +118,15 @@ impl Memory {
                 && (wide || declared.name != "light_packed")
         });
         let named = single.map(|declared| {
-            let records = declared
-                .records(plan)
-                .unwrap_or_else(|| paging.dispatches());
+            let own = || match declared.name {
+                "ranked_covers" if plan.uses.covers => tiling.slice,
+                "tile_bits" if plan.uses.covers => tiling.tiles() * (tiling.slice / 32),
+                "tile_summaries" if plan.uses.covers => tiling.tiles() * (tiling.slice / 1024),
+                "digit_counts" => sort::counts(plan.cover_capacity()),
+                "dispatches" => paging.dispatches() + 2 + 3 * tiling.rounds,
+                _ => 0,
+            };
+            let records = declared.records(plan).unwrap_or_else(own);
             (
                 declared.name,
                 u64::from(records) * u64::from(declared.stride),
@@ -135,6 +150,7 @@ impl Memory {
         debug_assert_eq!(size_of::<Dispatch>(), 12);
         Ok(Self {
             paging,
+            tiling,
             pools: [next(pages), next(pages)],
             large: next(pages),
             named: sizes[3 * pages..]
@@ -162,17 +178,16 @@ impl Memory {
             .ok_or_else(|| BackendError::Internal(format!("no buffer `{name}`")))
     }
 
-    /// Makes it dark, as every splat begins.
-    pub(super) fn clear_light(
-        &self,
-        encoder: &mut wgpu::CommandEncoder,
-    ) -> Result<(), BackendError> {
-        encoder.clear_buffer(self.named("light_low")?, 0, None);
-        encoder.clear_buffer(self.named("light_high")?, 0, None);
-        if let Some(packed) = self.named.get("light_packed") {
-            encoder.clear_buffer(packed, 0, None);
+    /// Clears what a stage adds to: it is dark before the splat, and nothing covers before the shapes.
+    pub(super) fn begin(&self, stage: Stage, encoder: &mut wgpu::CommandEncoder) {
+        let names: &[&str] = match stage {
+            Stage::Shapes => &["cover_counts"],
+            Stage::Splat => &["light_low", "light_high", "light_packed"],
+            _ => &[],
+        };
+        for buffer in names.iter().filter_map(|name| self.named.get(name)) {
+            encoder.clear_buffer(buffer, 0, None);
         }
-        Ok(())
     }
 }
 

@@ -24,6 +24,8 @@ mod record;
 mod restore;
 mod run;
 pub mod shader;
+pub mod sort;
+mod tiling;
 mod timing;
 mod traffic;
 mod watch;
@@ -33,15 +35,16 @@ mod yardstick_memory;
 use std::collections::{HashMap, VecDeque};
 use std::sync::Arc;
 
-use crate::backend::{Backend, BackendError, StageRecord};
+use crate::backend::{Backend, BackendError, Living, StageRecord};
 use crate::layout::FrameStats;
-use crate::plan::{FrameInputs, MeshTables, Plan, STAGES, Stage};
+use crate::plan::{FrameInputs, MeshTables, Plan, Population, STAGES, Stage};
 use commands::Command;
 use kernel::Kernel;
 use memory::Memory;
 use options::switches_off;
 use readback::StatisticsRing;
 use shader::sources::WIDE_KERNELS;
+use tiling::Tiling;
 use timing::Timer;
 
 pub use adapter::{AdapterDescription, adapters, open};
@@ -72,8 +75,11 @@ pub struct GpuBackend {
     row_count: u32,
     curve_points: Vec<[f32; 4]>,
     meshes: Arc<MeshTables>,
+    boid_count: u32,
+    cell_count: u32,
     width: u32,
     height: u32,
+    has_covers: bool,
     /// Which pool holds the particles.
     current: usize,
     /// Whether newborns stand behind the living: between emit and advance.
@@ -131,6 +137,18 @@ impl GpuBackend {
         } else {
             options.page_bytes
         };
+        if !options.tile_px.is_multiple_of(4) || options.tile_px > 256 {
+            return Err(BackendError::Unsupported(format!(
+                "tiles of {} pixels: they are 4 to 256, a multiple of 4",
+                options.tile_px
+            )));
+        }
+        if !options.cover_slice.is_multiple_of(1024) || options.cover_slice > 32_768 {
+            return Err(BackendError::Unsupported(format!(
+                "{} records at a time: they are 1,024 to 32,768, a multiple of 1,024",
+                options.cover_slice
+            )));
+        }
         let mut kernels = HashMap::new();
         let off = switches_off(plan);
         let exact = gpu.description.exact && !options.plain;
@@ -140,10 +158,12 @@ impl GpuBackend {
             KernelForm::Wgsl
         };
         let wide = gpu.is_wide() && exact && !options.narrow;
-        let memory = Memory::new(gpu, plan, most_page_bytes, wide)?;
+        let tiling = Tiling::new(plan, options);
+        let memory = Memory::new(gpu, plan, most_page_bytes, wide, tiling)?;
         let is_run =
-            |name: &&'static shader::sources::Source| wide || !WIDE_KERNELS.contains(&name.name);
-        for source in shader::sources::KERNELS.iter().filter(is_run) {
+            |name| (wide || !WIDE_KERNELS.contains(&name)) && commands::is_used(name, plan);
+        let all = shader::sources::KERNELS.iter();
+        for source in all.filter(|source| is_run(source.name)) {
             let mutate = mutation
                 .filter(|mutation| mutation.kernel == source.name)
                 .map(|mutation| mutation.change);
@@ -174,8 +194,11 @@ impl GpuBackend {
             row_count: plan.row_count,
             curve_points: plan.curve_points.clone(),
             meshes: Arc::clone(&plan.meshes),
+            boid_count: plan.boid_count,
+            cell_count: plan.cell_count,
             width: plan.width,
             height: plan.height,
+            has_covers: plan.uses.covers,
             current: 0,
             newborns_present: false,
             ring: StatisticsRing::default(),
@@ -259,12 +282,11 @@ impl Backend for GpuBackend {
     }
 
     fn step(&mut self, inputs: &FrameInputs) -> Result<(), BackendError> {
-        let stages = [Stage::Births, Stage::Emit, Stage::Cull, Stage::Advance];
-        self.stepped(|run| run.submit(&stages, inputs))
+        self.stepped(|run| run.submit(&stages(false), inputs))
     }
 
     fn draw(&mut self, inputs: &FrameInputs) -> Result<(), BackendError> {
-        self.watched(|run| run.submit(&[Stage::Splat, Stage::Resolve], inputs))
+        self.watched(|run| run.submit(&stages(true), inputs))
     }
 
     fn read(&mut self, buffer: &str) -> Result<Vec<u32>, BackendError> {
@@ -275,8 +297,8 @@ impl Backend for GpuBackend {
         self.watched(|run| run.ring.take(&run.gpu, &run.memory))
     }
 
-    fn restore(&mut self, particles: &[u32], recent: &[FrameInputs]) -> Result<(), BackendError> {
-        self.stepped(|run| run.put(particles, recent))
+    fn restore(&mut self, living: &Living<'_>, recent: &[FrameInputs]) -> Result<(), BackendError> {
+        self.stepped(|run| run.put(living, recent))
     }
 
     fn record_stage(
@@ -287,9 +309,9 @@ impl Backend for GpuBackend {
         self.watched(|run| run.record(stage, inputs).map(Some))
     }
 
-    fn state_digest(&mut self) -> Result<u64, BackendError> {
+    fn population_digest(&mut self, population: Population) -> Result<u64, BackendError> {
         self.watched(|run| {
-            let commands = run.particle_digest(run.current)?;
+            let commands = run.population_commands(population, run.current)?;
             run.digest_of(&commands, 0)
         })
     }
@@ -300,4 +322,10 @@ impl Backend for GpuBackend {
             run.digest_of(&commands, 0)
         })
     }
+}
+
+/// The stages of drawing, or those of the simulation, in order.
+fn stages(draws: bool) -> Vec<Stage> {
+    let chosen = STAGES.iter().filter(|info| info.draws == draws);
+    chosen.map(|info| info.stage).collect()
 }

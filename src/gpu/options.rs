@@ -18,6 +18,12 @@ pub struct GpuOptions {
     pub workgroup_size: u32,
     /// Most bytes a page of the pools; 0 for as much as the adapter binds.
     pub page_bytes: u64,
+    /// Pixels of the side of the tiles that what covers is sorted into, a multiple of 4 that is at
+    /// most 256; 0 for the default of 16. Tiles are larger where they would be too many.
+    pub tile_px: u32,
+    /// Records of what covers that are drawn at a time, a multiple of 1,024 that is at most 32,768; 0
+    /// for as many as memory is meant for.
+    pub cover_slice: u32,
     /// Whether kernels check their own indices and bound their loops.
     pub checked: bool,
     /// Whether the adapter gets plain WGSL though it would take SPIR-V: what adapters that take

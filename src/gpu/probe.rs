@@ -2,7 +2,7 @@
 //! a run, with a look at the buffers between one and the next.
 
 use super::GpuBackend;
-use super::commands::STAGE_KERNELS;
+use super::commands::{STAGE_KERNELS, turning_with};
 use super::device::GpuDevice;
 use super::dispatch::dispatch_for;
 use super::kernel::Kernel;
@@ -134,7 +134,8 @@ impl GpuDevice {
 
 impl GpuBackend {
     /// Runs one kernel's dispatches of one frame and waits for them. All kernels of
-    /// [`STAGE_KERNELS`] one after the other make the frame that stepping and drawing make.
+    /// [`STAGE_KERNELS`] one after the other make the frame that stepping and drawing make; of those
+    /// that take turns, all run with the last.
     ///
     /// # Errors
     /// No stage has such a kernel, or the device fails.
@@ -145,8 +146,23 @@ impl GpuBackend {
             )));
         };
         self.stepped(|run| {
-            run.submit_kernels(&[found.stage], |other| other == kernel, inputs)?;
+            let together = turning_with(found);
+            let is_last = together.last().is_some_and(|last| last.kernel == kernel);
+            let wanted = |other: &str| is_last && together.iter().any(|one| one.kernel == other);
+            run.submit_kernels(&[found.stage], wanted, inputs)?;
             run.gpu.wait()
+        })
+    }
+
+    /// Puts words at the beginning of a buffer, which holds at least as many: a stage can then be run on
+    /// what no scene leads to. The pools are not among the buffers.
+    ///
+    /// # Errors
+    /// There is no such buffer, or the device fails.
+    pub fn write(&mut self, buffer: &str, words: &[u32]) -> Result<(), BackendError> {
+        self.stepped(|run| {
+            let place = run.memory.named(buffer)?;
+            run.gpu.write(place, 0, bytemuck::cast_slice(words))
         })
     }
 
@@ -164,6 +180,8 @@ impl GpuBackend {
         let kernel = Kernel::new(&self.gpu, changed, form, checked)?;
         match self.kernels.get_mut(changed.name.as_str()) {
             Some(place) => *place = kernel,
+            // The plan does without it.
+            None if STAGE_KERNELS.iter().any(|one| one.kernel == changed.name) => {}
             None => {
                 let found = format!("a run has no kernel `{}`", changed.name);
                 return Err(BackendError::Unsupported(found));

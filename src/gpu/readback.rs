@@ -7,7 +7,7 @@ use super::GpuBackend;
 use super::device::GpuDevice;
 use super::memory::Memory;
 use crate::backend::BackendError;
-use crate::layout::FrameStats;
+use crate::layout::{Boid, Cover, FrameStats};
 
 /// Lines in the device's ring; `wgsl/scan/survivors.wgsl` has the same.
 pub(super) const STATISTICS_LEN: u32 = 256;
@@ -17,6 +17,9 @@ const HALF: u32 = STATISTICS_LEN / 2;
 
 /// Bytes a line.
 const LINE: u64 = size_of::<FrameStats>() as u64;
+
+/// Words a boid.
+const BOID_WORDS: u64 = size_of::<Boid>() as u64 / 4;
 
 /// How long after the device is done its word of it may take.
 const CALL_BACK: Duration = Duration::from_secs(60);
@@ -66,12 +69,30 @@ impl GpuBackend {
             "alive_bits" => u64::from(counts.total.div_ceil(32)),
             "birth_counts" => u64::from(self.system_count),
             "birth_offsets" => u64::from(self.system_count) + 1,
+            "boids" | "sorted_boids" => u64::from(self.boid_count) * BOID_WORDS,
+            "boid_cells" => u64::from(self.boid_count),
+            "cell_starts" => u64::from(self.cell_count) + 1,
             "deaths" => 2,
             "image" => pixels,
+            "covers" => self.cover_records()? * (size_of::<Cover>() / 4) as u64,
+            "cover_counts" => 8,
+            "cover_rg" | "cover_bt" if self.has_covers => pixels * 2,
+            "cover_rg" | "cover_bt" => 0,
             "light_low" | "light_high" => pixels * 3,
             _ => whole.size() / 4,
         };
         words(&self.gpu, whole, records * 4)
+    }
+}
+
+impl GpuBackend {
+    /// How many records of what covers there are.
+    fn cover_records(&self) -> Result<u64, BackendError> {
+        let counts = words(&self.gpu, self.memory.named("cover_counts")?, 32)?;
+        let [_, of_families @ ..] = counts.as_slice() else {
+            return Ok(0);
+        };
+        Ok(of_families.iter().map(|count| u64::from(*count)).sum())
     }
 }
 

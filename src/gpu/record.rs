@@ -19,11 +19,9 @@ impl GpuBackend {
         inputs: &FrameInputs,
     ) -> Result<StageRecord, BackendError> {
         self.upload(inputs)?;
-        if stage == Stage::Splat {
-            let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
-            self.memory.clear_light(&mut encoder)?;
-            self.gpu.queue.submit([encoder.finish()]);
-        }
+        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+        self.memory.begin(stage, &mut encoder);
+        self.gpu.queue.submit([encoder.finish()]);
         let commands = &self.commands[self.current][&stage];
         let mut kernels: Vec<KernelRecord> = Vec::new();
         let mut buffers: BTreeMap<String, &wgpu::Buffer> = BTreeMap::new();
@@ -91,11 +89,17 @@ impl GpuBackend {
             "particles" => (&self.memory.pools[self.current], command.pages[0]),
             "survivors" => (&self.memory.pools[1 - self.current], command.pages[1]),
             "large_particles" => (&self.memory.large, command.pages[0]),
-            name => return Ok((name.to_owned(), self.memory.named(name)?)),
+            "sort_pairs" if command.swaps => return self.bound_by_name("sorted_pairs"),
+            "sorted_pairs" if command.swaps => return self.bound_by_name("sort_pairs"),
+            name => return self.bound_by_name(name),
         };
         let buffer = pages
             .get(page)
             .ok_or_else(|| BackendError::Internal(format!("no page {page} of `{variable}`")))?;
         Ok((format!("{variable}-{page}"), buffer))
+    }
+
+    fn bound_by_name(&self, name: &str) -> Result<(String, &wgpu::Buffer), BackendError> {
+        Ok((name.to_owned(), self.memory.named(name)?))
     }
 }

@@ -1,7 +1,7 @@
 //! A run's state put onto the device.
 
 use super::{GpuBackend, StatisticsRing};
-use crate::backend::BackendError;
+use crate::backend::{BackendError, Living};
 use crate::layout::Counts;
 use crate::plan::FrameInputs;
 
@@ -12,9 +12,10 @@ impl GpuBackend {
     /// See [`crate::backend::Backend::restore`].
     pub(super) fn put(
         &mut self,
-        particles: &[u32],
+        living: &Living<'_>,
         recent: &[FrameInputs],
     ) -> Result<(), BackendError> {
+        let particles = living.particles;
         for inputs in recent {
             self.upload(inputs)?;
             // What is written waits in staging memory for the next submission.
@@ -26,6 +27,10 @@ impl GpuBackend {
             self.gpu.write(page, 0, bytemuck::cast_slice(words))?;
             self.gpu.queue.submit([]);
         }
+        let boids = self.memory.named("boids")?;
+        self.gpu
+            .write(boids, 0, bytemuck::cast_slice(living.boids))?;
+        self.gpu.queue.submit([]);
         let live = (particles.len() / PARTICLE_WORDS) as u32;
         let counts = Counts {
             live,

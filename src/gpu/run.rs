@@ -35,6 +35,8 @@ impl GpuBackend {
             ("bounds", bytemuck::cast_slice(&inputs.bounds)),
             ("winds", bytemuck::cast_slice(&inputs.winds)),
             ("layer_planes", bytemuck::cast_slice(&inputs.layer_planes)),
+            ("flocks", bytemuck::cast_slice(&inputs.flocks)),
+            ("relations", bytemuck::cast_slice(&inputs.relations)),
         ] {
             self.gpu.write(self.memory.named(name)?, 0, bytes)?;
         }
@@ -67,14 +69,16 @@ impl GpuBackend {
         self.upload(inputs)?;
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         let mut timed = self.timer.as_mut().map(Timer::frame);
-        for &stage in stages {
+        for &stage in stages.iter().filter(|stage| stage.is_due(inputs)) {
             let all = &self.commands[self.current][&stage];
             let begins = all.first().is_some_and(|first| wanted(first.kernel));
-            if stage == Stage::Splat && begins {
-                let clear = |encoder: &mut _| self.memory.clear_light(encoder);
+            if begins {
+                let begin = |encoder: &mut _| self.memory.begin(stage, encoder);
                 match &mut timed {
-                    None => clear(&mut encoder)?,
-                    Some(timed) => timed.between_passes("draw/clear_light", &mut encoder, clear)?,
+                    Some(timed) if stage == Stage::Splat => {
+                        timed.between_passes("draw/clear_light", &mut encoder, begin);
+                    }
+                    _ => begin(&mut encoder),
                 }
             }
             let dispatches = self.memory.named("dispatches")?;

@@ -32,11 +32,22 @@ pub struct ParticleCounts {
     pub died_of_bounds: u64,
 }
 
+/// What happened to a population of boids in one frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct BoidCounts {
+    /// Those who began: all of them in the run's first frame, then none.
+    pub born: u64,
+    /// All of them.
+    pub live: u64,
+}
+
 /// What a row is about, with the numbers that such a row has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measured {
     /// A population of particles (`particles`).
     Particles(ParticleCounts),
+    /// A population of boids (`boids`): nobody is left out and nobody dies.
+    Boids(BoidCounts),
     /// A drawn frame (`image`); its counts stay empty, and its digest is that of its RGBA8 pixels.
     Image,
 }
@@ -122,6 +133,9 @@ impl StatsRow<'_> {
                     format!("particles,{requested},{born},{died},{live},{dropped}"),
                     format!("{of_age},{died_of_intensity},{died_of_bounds}"),
                 )
+            }
+            Measured::Boids(BoidCounts { born, live }) => {
+                (format!("boids,{born},{born},0,{live},0"), ",,".to_owned())
             }
             Measured::Image => ("image,,,,,".to_owned(), ",,".to_owned()),
         };

@@ -51,7 +51,8 @@ fn encode(image: &LinearImage) -> ::exr::error::Result<Vec<u8>> {
     let channels = SpecificChannels::rgba(|Vec2(x, y): Vec2<usize>| {
         let [red, green, blue] = pixels[y * width + x];
         let alpha = if image.is_layer {
-            red.max(green).max(blue).min(1.0)
+            let hidden = image.hidden.get(y * width + x).copied().unwrap_or(0.0);
+            red.max(green).max(blue).max(hidden).min(1.0)
         } else {
             1.0
         };

@@ -7,9 +7,18 @@ impl Rgba8Image {
     /// Light on black becomes a layer with alpha: the brightest channel is how much of what is
     /// behind it hides, and over black it looks as before, to a step of 1/255.
     #[must_use]
-    pub fn into_layer(mut self) -> Self {
-        for pixel in self.pixels.chunks_exact_mut(4) {
-            let alpha = pixel[..3].iter().copied().max().unwrap_or(0);
+    pub fn into_layer(self) -> Self {
+        self.into_layer_hiding(&[])
+    }
+
+    /// As [`Rgba8Image::into_layer`], where something in it also covers: `hidden` is how much of what is
+    /// behind each pixel that hides, 0 to 1, row by row; pixels that it does not reach hide nothing so.
+    #[must_use]
+    pub fn into_layer_hiding(mut self, hidden: &[f32]) -> Self {
+        for (at, pixel) in self.pixels.chunks_exact_mut(4).enumerate() {
+            let hidden = hidden.get(at).copied().unwrap_or(0.0).clamp(0.0, 1.0);
+            let light = pixel[..3].iter().copied().max().unwrap_or(0);
+            let alpha = light.max((hidden * 255.0 + 0.5) as u8);
             for channel in &mut pixel[..3] {
                 // 255 c / alpha, to the nearest.
                 let scaled = (u32::from(*channel) * 510 + u32::from(alpha))
@@ -61,9 +70,19 @@ impl Picture {
     /// Light on black becomes a layer with alpha.
     #[must_use]
     pub fn into_layer(self) -> Self {
+        self.into_layer_hiding(Vec::new())
+    }
+
+    /// As [`Picture::into_layer`], where something in it also covers: `hidden` is how much of what is
+    /// behind each pixel that hides, 0 to 1; one a pixel, or none at all.
+    #[must_use]
+    pub fn into_layer_hiding(self, hidden: Vec<f32>) -> Self {
         match self {
-            Self::Bytes(image) => Self::Bytes(image.into_layer()),
-            Self::Linear(image) => Self::Linear(image.into_layer()),
+            Self::Bytes(image) => Self::Bytes(image.into_layer_hiding(&hidden)),
+            Self::Linear(image) => Self::Linear(LinearImage {
+                hidden,
+                ..image.into_layer()
+            }),
         }
     }
 }

@@ -55,6 +55,9 @@ pub struct LinearImage {
     /// Whether this is light to be put over another picture. Alpha is then a pixel's brightest channel,
     /// at most 1, and colours are premultiplied, as EXR has it; else alpha is 1.
     pub is_layer: bool,
+    /// Of a layer: how much of what is behind each pixel it hides at least, 0 to 1, where something in
+    /// it covers; one a pixel, or none at all.
+    pub hidden: Vec<f32>,
     /// A word about the picture for the file's header; may be empty.
     pub comment: String,
 }
@@ -62,7 +65,8 @@ pub struct LinearImage {
 impl LinearImage {
     /// Whether the size is at least 1×1 and `pixels` is as long as the size says.
     pub fn is_consistent(&self) -> bool {
-        fits(self.width, self.height, 3, self.pixels.len())
+        let hides = self.hidden.is_empty() || fits(self.width, self.height, 1, self.hidden.len());
+        hides && fits(self.width, self.height, 3, self.pixels.len())
     }
 }
 

@@ -3,12 +3,17 @@
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+use bytemuck::Pod;
+
 use super::OutputError;
 use super::atomic::AtomicFile;
-use crate::simulation::ParticleState;
+use crate::simulation::{BoidState, ParticleState};
+
+/// What a file says of the units of its properties.
+const PARTICLE_UNITS: &str = "world space; velocity per frame; age and lifetime in frames";
 
 /// PLY's type and name of each property, in the order of the fields of [`ParticleState`].
-const PROPERTIES: [&str; 10] = [
+const PARTICLE_PROPERTIES: &[&str] = &[
     "float x",
     "float y",
     "float z",
@@ -18,6 +23,21 @@ const PROPERTIES: [&str; 10] = [
     "uint age",
     "uint lifetime",
     "uint system",
+    "uint id",
+];
+
+/// See [`PARTICLE_UNITS`].
+const BOID_UNITS: &str = "world space; velocity per frame";
+
+/// PLY's type and name of each property, in the order of the fields of [`BoidState`].
+const BOID_PROPERTIES: &[&str] = &[
+    "float x",
+    "float y",
+    "float z",
+    "float vx",
+    "float vy",
+    "float vz",
+    "uint flock",
     "uint id",
 ];
 
@@ -34,9 +54,26 @@ pub fn dump_path(dir: &Path, population: &str, frame_number: u32) -> PathBuf {
 /// # Errors
 /// The user's fault: a path that cannot be a file. The machine's: it cannot be written.
 pub fn write_particles(path: &Path, records: &[ParticleState]) -> Result<(), OutputError> {
+    write(path, PARTICLE_UNITS, PARTICLE_PROPERTIES, records)
+}
+
+/// Writes boids as [`write_particles`] does particles.
+///
+/// # Errors
+/// As [`write_particles`].
+pub fn write_boids(path: &Path, records: &[BoidState]) -> Result<(), OutputError> {
+    write(path, BOID_UNITS, BOID_PROPERTIES, records)
+}
+
+fn write(
+    path: &Path,
+    units: &str,
+    properties: &[&str],
+    records: &[impl Pod],
+) -> Result<(), OutputError> {
     let mut file = AtomicFile::create(path)?;
     let mut write = || {
-        file.write_all(header(records.len()).as_bytes())?;
+        file.write_all(header(units, properties, records.len()).as_bytes())?;
         for chunk in records.chunks(RECORDS_A_WRITE) {
             if cfg!(target_endian = "little") {
                 file.write_all(bytemuck::cast_slice(chunk))?;
@@ -53,13 +90,12 @@ pub fn write_particles(path: &Path, records: &[ParticleState]) -> Result<(), Out
     file.commit()
 }
 
-fn header(record_count: usize) -> String {
+fn header(units: &str, properties: &[&str], record_count: usize) -> String {
     let mut header = format!(
-        "ply\nformat binary_little_endian 1.0\n\
-         comment world space; velocity per frame; age and lifetime in frames\n\
+        "ply\nformat binary_little_endian 1.0\ncomment {units}\n\
          element vertex {record_count}\n"
     );
-    for property in PROPERTIES {
+    for property in properties {
         header.push_str("property ");
         header.push_str(property);
         header.push('\n');

@@ -2,7 +2,8 @@
 
 use super::Plan;
 use crate::layout::{
-    Bound, Counts, Dispatch, Frame, FrameStats, Particle, SystemFrame, SystemRow, Wind,
+    Boid, Bound, Counts, Cover, Dispatch, FlockFrame, Frame, FrameStats, Particle, Relation,
+    SystemFrame, SystemRow, Wind,
 };
 
 /// What a buffer is for.
@@ -36,9 +37,26 @@ pub enum Count {
     MeshFaces(u32),
     /// One for every so many particles of the capacity; the last may stand for fewer.
     ParticlesOver(u32),
+    /// One a flock.
+    Flocks,
+    /// One for each thing that a flock makes of another.
+    Relations,
+    /// One a boid.
+    Boids,
+    /// One for every so many cells of the flocks' grids, and so many more.
+    Cells {
+        /// Cells a record; the last may stand for fewer.
+        over: u32,
+        /// Records besides.
+        extra: u32,
+    },
     /// So many a pixel, for pixels in whole fours.
     Pixels(u32),
-    /// A list of the backend's pages.
+    /// One for each record of what may cover.
+    Covers,
+    /// So many a pixel, in whole fours, if anything covers.
+    CoveredPixels(u32),
+    /// A list of the backend's.
     Backend,
 }
 
@@ -177,6 +195,69 @@ pub static BUFFERS: &[Buffer] = {
             size_of::<FrameStats>(),
             Count::Fixed(256),
         ),
+        buffer_of(
+            "flocks",
+            Input,
+            "FlockFrame",
+            size_of::<FlockFrame>(),
+            Count::Flocks,
+        ),
+        buffer_of(
+            "relations",
+            Input,
+            "Relation",
+            size_of::<Relation>(),
+            Count::Relations,
+        ),
+        buffer_of("boids", State, "Boid", size_of::<Boid>(), Count::Boids),
+        buffer_of("boid_cells", State, "u32", 4, Count::Boids),
+        buffer_of(
+            "cell_counts",
+            Scratch,
+            "u32",
+            4,
+            Count::Cells { over: 1, extra: 0 },
+        ),
+        buffer_of(
+            "cell_sums",
+            Scratch,
+            "u32",
+            4,
+            Count::Cells { over: 64, extra: 0 },
+        ),
+        buffer_of(
+            "cell_starts",
+            State,
+            "u32",
+            4,
+            Count::Cells { over: 1, extra: 1 },
+        ),
+        buffer_of("cell_members", Scratch, "u32", 4, Count::Boids),
+        buffer_of(
+            "sorted_boids",
+            State,
+            "Boid",
+            size_of::<Boid>(),
+            Count::Boids,
+        ),
+        buffer_of("covers", State, "Cover", size_of::<Cover>(), Count::Covers),
+        buffer_of("cover_counts", State, "u32", 4, Count::Fixed(8)),
+        buffer_of(
+            "ranked_covers",
+            Scratch,
+            "Cover",
+            size_of::<Cover>(),
+            Count::Backend,
+        ),
+        buffer_of("tile_bits", Scratch, "u32", 4, Count::Backend),
+        buffer_of("tile_summaries", Scratch, "u32", 4, Count::Backend),
+        buffer_of("cover_rg", State, "vec2<u32>", 8, Count::CoveredPixels(1)),
+        buffer_of("cover_bt", State, "vec2<u32>", 8, Count::CoveredPixels(1)),
+        buffer_of("sort_count", Scratch, "u32", 4, Count::Fixed(4)),
+        buffer_of("sort_pairs", Scratch, "vec2<u32>", 8, Count::Covers),
+        buffer_of("sorted_pairs", Scratch, "vec2<u32>", 8, Count::Covers),
+        buffer_of("digit_counts", Scratch, "u32", 4, Count::Backend),
+        buffer_of("digit_starts", Scratch, "u32", 4, Count::Fixed(256)),
         buffer_of("light_low", State, "u32", 4, Count::Pixels(3)),
         buffer_of("light_high", State, "u32", 4, Count::Pixels(3)),
         buffer_of("light_packed", Scratch, "u64", 8, Count::Pixels(1)),
@@ -201,6 +282,15 @@ impl Buffer {
             Count::MeshFaces(each) => plan.meshes.choices.len() as u32 * each,
             Count::Rows => plan.system_count * plan.row_count,
             Count::ParticlesOver(each) => plan.capacity.div_ceil(each),
+            Count::Flocks => plan.flock_count,
+            Count::Relations => plan.relation_count,
+            Count::Boids => plan.boid_count,
+            Count::Cells { over, extra } => plan.cell_count.div_ceil(over) + extra,
+            Count::Covers => plan.cover_capacity(),
+            Count::CoveredPixels(each) if plan.uses.covers => {
+                (plan.width * plan.height).next_multiple_of(4) * each
+            }
+            Count::CoveredPixels(_) => 0,
             Count::Pixels(each) => (plan.width * plan.height).next_multiple_of(4) * each,
             Count::Backend => return None,
         })

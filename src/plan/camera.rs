@@ -34,6 +34,9 @@ pub(super) fn camera_frame(now: &Scene, closing: &Scene) -> Frame {
     let image = &now.image;
     let [x, y, z] = view_rows(&now.camera);
     let [closing_x, closing_y, closing_z] = view_rows(&closing.camera);
+    let from = normalize_exact(Vec3::from(now.light.direction));
+    let along = |row: [f32; 4]| dot3(Vec3::from_slice(&row), from);
+    let color = |[red, green, blue]: [f32; 3]| [red, green, blue, 0.0].map(snap);
     let [red, green, blue] = image.background;
     let orthographic = match now.camera.projection {
         Projection::Perspective => 0,
@@ -51,6 +54,9 @@ pub(super) fn camera_frame(now: &Scene, closing: &Scene) -> Frame {
         closing_view_from_world_y: closing_y,
         closing_view_from_world_z: closing_z,
         background: [red, green, blue, 0.0].map(snap),
+        light_from: [along(x), along(y), -along(z), 0.0].map(snap),
+        light_color: color(now.light.color),
+        ambient_color: color(now.light.ambient),
         focal_px: focal_px(&now.camera, image),
         closing_focal_px: focal_px(&closing.camera, image),
         center_x_px: 0.5 * image.width as f32,

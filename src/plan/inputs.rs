@@ -2,9 +2,10 @@
 
 use super::Plan;
 use super::camera::{camera_frame, layer_planes};
+use super::flock::flocks_of;
 use super::system::{Moments, bounds_of, system_frame, system_row};
 use super::wind::winds_of;
-use crate::layout::{Bound, Frame, SystemFrame, SystemRow, Wind};
+use crate::layout::{Bound, FlockFrame, Frame, Relation, SystemFrame, SystemRow, Wind};
 use crate::scene::Scene;
 
 /// What the processor uploads for one frame. The list of them is a recording of the run, and a
@@ -23,6 +24,12 @@ pub struct FrameInputs {
     pub winds: Vec<Wind>,
     /// The planes between layers (unit normal, distance along it), at most [`Plan::MOST_LAYERS`].
     pub layer_planes: Vec<[f32; 4]>,
+    /// One a flock.
+    pub flocks: Vec<FlockFrame>,
+    /// What flocks make of each other, flock by flock.
+    pub relations: Vec<Relation>,
+    /// Whether flocks begin in this frame: their boids are put where they are at first.
+    pub hatches: bool,
 }
 
 /// The inputs of the frame `number`, with `scene` as it is from some frame on.
@@ -54,6 +61,7 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
         .collect();
     let winds = winds_of(&now, number);
     let layer_planes = layer_planes(&now);
+    let (flocks, relations) = flocks_of(&now);
     let frame = Frame {
         frame: number.cast_unsigned(),
         wind_count: winds.len() as u32,
@@ -69,6 +77,9 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
         bounds,
         winds,
         layer_planes,
+        flocks,
+        relations,
+        hatches: number == plan.first_frame,
     }
 }
 
@@ -82,6 +93,7 @@ impl Plan {
             capacity: self.capacity,
             width: self.width,
             height: self.height,
+            cell_count: self.cell_count,
             ..frame
         }
     }

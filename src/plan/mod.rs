@@ -8,8 +8,10 @@ mod bounds;
 mod buffers;
 mod camera;
 mod curves;
+mod flock;
 mod inputs;
 mod meshes;
+mod population;
 mod stages;
 mod system;
 mod turned;
@@ -19,12 +21,13 @@ mod wind;
 pub use buffers::{BUFFERS, Buffer, BufferRole, Count, buffer};
 pub use inputs::FrameInputs;
 pub use meshes::MeshTables;
+pub use population::Population;
 pub use stages::{STAGES, Stage, StageInfo};
 pub use uses::Uses;
 
 use std::sync::Arc;
 
-use crate::scene::{Scene, Track};
+use crate::scene::{Blend, Scene, Track};
 
 /// Why a scene cannot become a plan: it is the scene's fault, and the message says what to change.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -67,6 +70,16 @@ pub struct Plan {
     pub row_count: u32,
     /// Number of systems.
     pub system_count: u32,
+    /// Number of flocks.
+    pub flock_count: u32,
+    /// Boids of all flocks.
+    pub boid_count: u32,
+    /// How often boids are drawn in all, at most.
+    pub boid_cover_count: u32,
+    /// What flocks make of each other, at most.
+    pub relation_count: u32,
+    /// Cells of the flocks' grids, at most.
+    pub cell_count: u32,
     /// Pixels across.
     pub width: u32,
     /// Pixels down.
@@ -130,6 +143,11 @@ impl Plan {
         } else {
             (lifetime_bound + 1).next_power_of_two()
         };
+        let relations = |scene: &&Scene| {
+            let flocks = scene.flocks.iter();
+            flocks.map(|flock| flock.relations.len() as u32).sum()
+        };
+        let most = |of: &dyn Fn(&&Scene) -> u32| scenes.iter().map(of).max().unwrap_or(0);
         let mut plan = Self {
             capacity: 1,
             may_drop: false,
@@ -137,6 +155,11 @@ impl Plan {
             least_lifetime: bounds::least_lifetime(&scenes),
             row_count,
             system_count: scene.systems.len() as u32,
+            flock_count: scene.flocks.len() as u32,
+            boid_count: scene.flocks.iter().map(|flock| flock.count).sum(),
+            boid_cover_count: most(&|scene| flock::cover_count(scene)),
+            relation_count: most(&relations),
+            cell_count: most(&|scene| flock::cell_count(scene)),
             width: scene.image.width,
             height: scene.image.height,
             uses: Uses::default(),
@@ -207,6 +230,30 @@ impl Plan {
         inputs::frame_inputs(self, self.scene_at(frame), frame)
     }
 
+    /// How many boids each flock has.
+    pub fn boid_counts(&self) -> impl Iterator<Item = u32> + '_ {
+        let (_, scene) = &self.variants[0];
+        scene.flocks.iter().map(|flock| flock.count)
+    }
+
+    /// Whether the plan has anything for the stage to do at any time.
+    pub fn has(&self, stage: Stage) -> bool {
+        match stage {
+            Stage::Hatch | Stage::Cells | Stage::Steer => self.flock_count > 0,
+            Stage::Shapes | Stage::Cover => self.uses.covers,
+            _ => true,
+        }
+    }
+
+    /// Records of what covers, at most: one a particle, and those of boids, if anything covers.
+    pub fn cover_capacity(&self) -> u32 {
+        if self.uses.covers {
+            self.capacity + self.boid_cover_count
+        } else {
+            0
+        }
+    }
+
     /// Names of the picture's layers: those of the scene and `rest`; `particles` alone if the scene
     /// has none.
     pub fn layer_names(&self) -> Vec<String> {
@@ -216,9 +263,9 @@ impl Plan {
     /// The earliest frame that a run has to step to have every particle of `frame` right, from an
     /// empty start, its deaths included: particles born before it are dead by then
     /// (Reeves 1983, section 3). Where births may be dropped, who is alive depends on all that
-    /// came before, and it is the first frame.
+    /// came before, and so do the places of boids: then it is the first frame.
     pub fn restart_frame(&self, frame: u32) -> i32 {
-        if self.may_drop {
+        if self.may_drop || self.flock_count > 0 {
             return self.first_frame;
         }
         let earliest = i64::from(frame) - i64::from(self.lifetime_bound);
@@ -244,6 +291,12 @@ fn check_bounds(scenes: &[&Scene]) -> Result<(), PlanError> {
 
 /// Whether the turn leaves alone what holds for a whole run of `scene`.
 pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
+    let flocks = |scene: &Scene| -> Vec<(String, u32)> {
+        let flocks = scene.flocks.iter();
+        flocks
+            .map(|flock| (flock.name.clone(), flock.count))
+            .collect()
+    };
     let names = |scene: &Scene| -> Vec<String> {
         scene
             .systems
@@ -251,13 +304,19 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
             .map(|system| system.name.clone())
             .collect()
     };
+    let blends = |scene: &Scene| -> Vec<Blend> {
+        let systems = scene.systems.iter();
+        systems.map(|system| system.blend).collect()
+    };
     let fixed = |scene: &Scene| {
         (
+            blends(scene),
             scene.image.width,
             scene.image.height,
             scene.seed,
             scene.capacity,
             scene.layers.len(),
+            flocks(scene),
         )
     };
     if names(scene) != names(&turn.scene) || fixed(scene) != fixed(&turn.scene) {
@@ -266,8 +325,9 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
                 "the change at frame {} alters what holds for a whole run",
                 turn.frame
             ),
-            help: "the list of systems and their names, the number of layers, the image size, the seed \
-                   and the capacity stay as the scene has them"
+            help: "the list of systems, their names and `blend`, the flocks' names and counts, the \
+                   number of layers, the image size, the seed and the capacity stay as the scene has \
+                   them"
                 .into(),
         });
     }

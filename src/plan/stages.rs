@@ -1,5 +1,7 @@
 //! The frame, stage by stage. Reading the table is reading the frame.
 
+use super::FrameInputs;
+
 /// A stage of a frame. Backends expand each into their own passes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Stage {
@@ -11,6 +13,16 @@ pub enum Stage {
     Cull,
     /// Survivors move, and take their compacted places.
     Advance,
+    /// Boids where they are at first.
+    Hatch,
+    /// Boids sorted by grid cell.
+    Cells,
+    /// Boids look around, steer and move.
+    Steer,
+    /// What covers, as it is seen.
+    Shapes,
+    /// What covers, from near to far, in every pixel.
+    Cover,
     /// Particles add their light.
     Splat,
     /// Light becomes pixels.
@@ -32,7 +44,8 @@ pub struct StageInfo {
     pub draws: bool,
 }
 
-/// Every stage in frame order (Reeves 1983, section 2: generate, assign, extinguish, move, render).
+/// Every stage in frame order (Reeves 1983, section 2: generate, assign, extinguish, move, render;
+/// flocks are all there from the first frame on, and look before they move).
 pub static STAGES: &[StageInfo] = &[
     StageInfo {
         stage: Stage::Births,
@@ -86,6 +99,50 @@ pub static STAGES: &[StageInfo] = &[
         draws: false,
     },
     StageInfo {
+        stage: Stage::Hatch,
+        name: "hatch",
+        reads: &["flocks"],
+        writes: &["boids"],
+        draws: false,
+    },
+    StageInfo {
+        stage: Stage::Cells,
+        name: "cells",
+        reads: &["frame", "flocks", "boids"],
+        writes: &["boid_cells", "cell_starts", "sorted_boids"],
+        draws: false,
+    },
+    StageInfo {
+        stage: Stage::Steer,
+        name: "steer",
+        reads: &["flocks", "relations", "cell_starts", "sorted_boids"],
+        writes: &["boids"],
+        draws: false,
+    },
+    StageInfo {
+        stage: Stage::Shapes,
+        name: "shapes",
+        reads: &[
+            "frame",
+            "system_frames",
+            "rows",
+            "counts",
+            "particles",
+            "flocks",
+            "boids",
+            "layer_planes",
+        ],
+        writes: &["covers", "cover_counts"],
+        draws: true,
+    },
+    StageInfo {
+        stage: Stage::Cover,
+        name: "cover",
+        reads: &["frame", "covers", "cover_counts"],
+        writes: &["cover_rg", "cover_bt"],
+        draws: true,
+    },
+    StageInfo {
         stage: Stage::Splat,
         name: "splat",
         reads: &[
@@ -102,13 +159,22 @@ pub static STAGES: &[StageInfo] = &[
     StageInfo {
         stage: Stage::Resolve,
         name: "resolve",
-        reads: &["frame", "light_low", "light_high"],
+        reads: &["frame", "light_low", "light_high", "cover_rg", "cover_bt"],
         writes: &["image"],
         draws: true,
     },
 ];
 
 impl Stage {
+    /// Whether the stage has anything to do in that frame.
+    pub(crate) fn is_due(self, inputs: &FrameInputs) -> bool {
+        match self {
+            Self::Hatch => inputs.hatches && !inputs.flocks.is_empty(),
+            Self::Cells | Self::Steer => !inputs.flocks.is_empty(),
+            _ => true,
+        }
+    }
+
     /// The stage's line in [`STAGES`].
     pub fn info(self) -> &'static StageInfo {
         STAGES

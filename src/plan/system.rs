@@ -9,9 +9,9 @@ use crate::exact::{dot3, normalize_exact, snap};
 use crate::layout::{self, Bound, SystemFrame, SystemRow};
 use crate::rng::pcg4d;
 use crate::scene::{
-    BirthMoment, BirthRounding, BirthUnit, EjectionAxis, EjectionSpread, Extinction,
-    GenerationShape, Integration, Intensity, ParticleShape, ParticleSpace, Side, StreakLight,
-    System,
+    BirthMoment, BirthRounding, BirthUnit, Blend, EjectionAxis, EjectionSpread, Extinction,
+    GenerationShape, Integration, Intensity, ParticleShape, ParticleSpace, Shading, Side,
+    StreakLight, System,
 };
 use crate::transcendental::{cos_turns, sin_turns};
 
@@ -332,7 +332,9 @@ fn row_flags(system: &System) -> u32 {
     ) | flag(
         system.birth_moment == BirthMoment::WithinFrame,
         layout::ROW_WITHIN_FRAME,
-    )
+    ) | flag(system.blend == Blend::Over, layout::ROW_OVER)
+        | flag(system.shading == Shading::LitSphere, layout::ROW_LIT_SPHERE)
+        | ((system.edge_softness * 65_535.0 + 0.5) as u32) << layout::ROW_SOFTNESS_SHIFT
 }
 
 /// The kind of a generation shape, and its extents as [`SystemRow::shape`] has them.
@@ -376,15 +378,14 @@ fn shape_of(shape: &GenerationShape, meshes: &MeshTables) -> (u32, [f32; 4]) {
 
 /// A system's key: every particle's identity begins with it.
 pub(super) fn system_key(seed: u64, name: &str) -> u32 {
+    name_key(seed, name, KEY_TAG)
+}
+
+/// A hash of the seed and of a name; `tag` tells apart whose names they are.
+pub(super) fn name_key(seed: u64, name: &str, tag: u32) -> u32 {
     // FNV-1a of the name, so that a system keeps its particles when others come before it.
     let name_hash = name.bytes().fold(0x811c_9dc5u32, |hash, byte| {
         (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)
     });
-    pcg4d(UVec4::new(
-        seed as u32,
-        (seed >> 32) as u32,
-        name_hash,
-        KEY_TAG,
-    ))
-    .x
+    pcg4d(UVec4::new(seed as u32, (seed >> 32) as u32, name_hash, tag)).x
 }

@@ -15,7 +15,12 @@ impl Plan {
     /// Makes room for turns that are not known yet, up to twice the lifetimes that are. To be done
     /// before a backend begins with it; changes no bit of the result.
     pub fn make_editable(&mut self) {
-        self.uses = Uses::all();
+        // What covers is fixed for a whole run: its buffers are large.
+        self.uses = Uses {
+            covers: self.uses.covers,
+            triangles: self.uses.triangles,
+            ..Uses::all()
+        };
         let rows = (self.lifetime_bound.saturating_add(1)).saturating_mul(2);
         let rows = rows.clamp(LEAST_ROWS, MOST_ROWS).next_power_of_two();
         self.row_count = self.row_count.max(rows);
@@ -42,6 +47,9 @@ impl Plan {
         let mut plan = Self::with_turns(scene, &turns, frame_end)?;
         self.check_room(&plan, frame)?;
         plan.capacity = self.capacity;
+        plan.relation_count = self.relation_count;
+        plan.cell_count = self.cell_count;
+        plan.boid_cover_count = self.boid_cover_count;
         plan.row_count = self.row_count;
         plan.uses = self.uses;
         plan.first_frame = self.first_frame;
@@ -71,6 +79,17 @@ impl Plan {
             return refuse(
                 "uses what the run was begun without".into(),
                 "begin the run as one that may be edited; lifetimes may then grow twofold",
+            );
+        }
+        if plan.relation_count > self.relation_count
+            || plan.cell_count > self.cell_count
+            || plan.boid_cover_count > self.boid_cover_count
+        {
+            return refuse(
+                "has more relations of flocks, grids of more cells, or more boids to be seen, than \
+                 the run began with"
+                    .into(),
+                begin_anew,
             );
         }
         if plan.curve_points != self.curve_points {

@@ -2,8 +2,8 @@
 
 use super::FrameInputs;
 use crate::layout::{
-    PARTICLE_RECTANGLE, PARTICLE_STREAK, SHAPE_MESH, SystemFrame, SystemRow, WIND_ATTRACTOR,
-    WIND_CURL, WIND_SOURCE, WIND_VORTEX, Wind,
+    BOID_TRIANGLE, FlockFrame, PARTICLE_RECTANGLE, PARTICLE_STREAK, ROW_OVER, Relation, SHAPE_MESH,
+    SystemFrame, SystemRow, WIND_ATTRACTOR, WIND_CURL, WIND_SOURCE, WIND_VORTEX, Wind,
 };
 
 macro_rules! uses {
@@ -67,6 +67,36 @@ uses! {
     layers "LAYERS";
     /// Births on meshes.
     meshes "MESHES";
+    /// Boids that look at more others than a loop of a software driver turns.
+    crowds "CROWDS";
+    /// What covers what is behind it.
+    covers "COVERS";
+    /// Covering triangles.
+    triangles "TRIANGLES";
+}
+
+fn is_drawn(flock: &FlockFrame) -> bool {
+    flock.drawn[1] > 0
+}
+
+fn has_triangles(flock: &FlockFrame) -> bool {
+    is_drawn(flock) && flock.ties[3] == BOID_TRIANGLE
+}
+
+/// Turns that loops of an invocation may make in all, with some to spare: software drivers end them
+/// after 65,535.
+const MOST_TURNS: u64 = 60_000;
+
+/// How many boids one of the flock looks at, at most.
+fn sight(flock: &FlockFrame, inputs: &FrameInputs) -> u64 {
+    let [first, count, ..] = flock.ties.map(|word| word as usize);
+    let ties = inputs.relations.iter().skip(first).take(count);
+    let other = |tie: &Relation| inputs.flocks.get(tie.kinds[1] as usize);
+    let own = u64::from(flock.members[1]);
+    ties.filter_map(other)
+        .map(|other| u64::from(other.members[1]))
+        .sum::<u64>()
+        .max(own)
 }
 
 impl Uses {
@@ -77,6 +107,12 @@ impl Uses {
         let winds = inputs.winds.iter().map(Self::of_wind);
         let own = Self {
             layers: !inputs.layer_planes.is_empty(),
+            covers: inputs.flocks.iter().any(is_drawn),
+            triangles: inputs.flocks.iter().any(has_triangles),
+            crowds: inputs
+                .flocks
+                .iter()
+                .any(|flock| sight(flock, inputs) > MOST_TURNS),
             many_systems: inputs.systems.len() > 1,
             many_rows: inputs.systems.len() > 1 || inputs.frame.row_mask > 0,
             many_winds: inputs.winds.len() > 1,
@@ -94,6 +130,7 @@ impl Uses {
             rectangles: row.kinds[1] == PARTICLE_RECTANGLE,
             meshes: row.kinds[0] == SHAPE_MESH,
             light_distances: row.ejection_and_light[2] > 0.0,
+            covers: row.kinds[3] & ROW_OVER != 0,
             ..Self::default()
         }
     }

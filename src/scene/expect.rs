@@ -1,13 +1,12 @@
 //! What would be right for a key, in words, from its row in the [`schema`](super::schema).
 
-use super::schema::{Field, Kind, Limits, MOST_NAME_CHARS, Presence, SYSTEM, Variant};
+use super::schema::{Field, Kind, Limits, MOST_NAME_CHARS, Presence, Variant, parent_of};
 
 /// The key with a value that is right: `near = 0.1`.
 pub(super) fn example(field: &Field) -> String {
     match field.kind {
         Kind::Tables { .. } | Kind::List { .. } => {
-            let of_systems = SYSTEM.iter().any(|of_system| of_system.key == field.key);
-            let parent = if of_systems { "system." } else { "" };
+            let parent = parent_of(field.key).map_or(String::new(), |parent| format!("{parent}."));
             format!("`[[{parent}{}]]`", field.key)
         }
         _ => format!("`{} = {}`", field.key, field.sample()),
@@ -30,7 +29,7 @@ pub(super) fn expected(field: &Field) -> String {
         unit => format!(", {unit}"),
     };
     let words = match (kind, presence) {
-        (Kind::Tables { fields, max }, Presence::Required(_)) => {
+        (Kind::Tables { fields, max }, Presence::Required(_) | Presence::Optional(_)) => {
             let max = digits(*max as f64);
             format!("1 to {max} tables with the keys {}", keys(fields))
         }
@@ -46,7 +45,7 @@ pub(super) fn several(field: &Field) -> String {
         _ => 1,
     };
     let count = match field.presence {
-        Presence::Required(_) => "1 to",
+        Presence::Required(_) | Presence::Optional(_) => "1 to",
         _ => "at most",
     };
     let (key, about, header) = (field.key, field.about, example(field));

@@ -14,6 +14,7 @@ mod error;
 mod expect;
 mod extinction;
 mod files;
+mod flock;
 mod generation;
 mod knobs;
 mod load;
@@ -38,12 +39,15 @@ pub use builtin::{BUILTIN, BUILTIN_FILES, BuiltinScene};
 pub use error::SceneError;
 pub(crate) use error::shortened;
 pub use extinction::{Extinction, Side};
+pub use flock::{BoidShape, Corners, Dimensions, Edges, Flock, Relation, RelationKind, Rule};
 pub use generation::{Attractor, EjectionAxis, EjectionSpread, GenerationShape};
 pub use knobs::{Knob, KnobValue};
 pub use load::{Loader, knobs, load, load_with, parse};
-pub use picture::{Camera, Image, Layer, Projection, ShutterWeighting};
+pub use picture::{Camera, Image, Layer, Light, Projection, ShutterWeighting};
 pub(crate) use set::Set;
-pub use system::{Integration, Intensity, ParticleShape, ParticleSpace, StreakLight, System};
+pub use system::{
+    Blend, Integration, Intensity, ParticleShape, ParticleSpace, Shading, StreakLight, System,
+};
 pub use tracks::{Interpolation, Key, Owner, Track};
 pub use wind::{Turbulence, Wind};
 
@@ -91,8 +95,13 @@ pub struct Scene {
     pub image: Image,
     /// The viewer.
     pub camera: Camera,
-    /// The particle systems, in the order of the file, at least one, at most 1,024; names unique.
+    /// What covering particles reflect.
+    pub light: Light,
+    /// The particle systems, in the order of the file, at most 1,024; names unique. A scene has at
+    /// least one, or a flock.
     pub systems: Vec<System>,
+    /// The flocks, in the order of the file, at most 64; names unique.
+    pub flocks: Vec<Flock>,
     /// The parts of the wind, at most 16; it is their sum.
     pub winds: Vec<Wind>,
     /// Planes that split the picture into layers, at most 8.

@@ -17,6 +17,17 @@ pub struct Image {
     pub exposure: f32,
 }
 
+/// The light that covering particles may reflect: one from far away, and one from everywhere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Light {
+    /// Where it comes from, world space, not zero. Default (0.4, 0.8, 0.5).
+    pub direction: [f32; 3],
+    /// Its red, green, blue, each 0 ..= 1,000. Default 1.
+    pub color: [f32; 3],
+    /// Red, green, blue of the light from everywhere, each 0 ..= 1,000. Default 0.2.
+    pub ambient: [f32; 3],
+}
+
 /// How light counts while the shutter is open (Reeves 1983, section 3, further work).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ShutterWeighting {

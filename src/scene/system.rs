@@ -67,6 +67,13 @@ pub struct System {
     pub integration: Integration,
     /// What a particle looks like (2.2).
     pub particle_shape: ParticleShape,
+    /// How they and what is behind them share a pixel; the same for a whole run. Default add.
+    pub blend: Blend,
+    /// Whether those that cover reflect the scene's light. Default flat.
+    pub shading: Shading,
+    /// How much of a covering disc's radius its edge takes, 0 sharp ..= 1 from the centre on.
+    /// Default 0.
+    pub edge_softness: f32,
     /// How light spreads along a streak (RA8). Default conserved.
     pub streak_light: StreakLight,
     /// A particle whose intensity falls below this, 0 ..= 1,000, is killed; `None` means never (2.4, RA7).
@@ -78,6 +85,24 @@ pub struct System {
     /// Distance at which a particle's light is as its colour says, falling with the square of the
     /// distance, 0.000001 ..= 1,000,000; `None`: light does not depend on it (2.5, further work).
     pub light_distance: Option<f32>,
+}
+
+/// How particles and what is behind them share a pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Blend {
+    /// They add their light to it (Reeves 1983, 2.5).
+    Add,
+    /// They cover it, as far as they are opaque.
+    Over,
+}
+
+/// Whether covering particles reflect the scene's light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shading {
+    /// They have their own colour all over.
+    Flat,
+    /// Each is a ball that reflects light in its colour (Reeves 1983, 5).
+    LitSphere,
 }
 
 /// Whose motion the living follow.

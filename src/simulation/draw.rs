@@ -70,7 +70,8 @@ impl Simulation {
     }
 
     /// Draws one layer of the last frame stepped, on black: the light of the particles in it.
-    /// Layers sum to the whole, step by step of light.
+    /// Layers sum to the whole, step by step of light, where nothing covers; what does hides what is
+    /// in layers behind ([`Simulation::hidden`]).
     ///
     /// # Errors
     /// The machine fails.
@@ -88,6 +89,18 @@ impl Simulation {
         self.backend.draw(&inputs)?;
         self.drawn = Some(inputs.frame);
         Ok(())
+    }
+
+    /// How much of what is behind each pixel of the image drawn last, rows from the top, is hidden by
+    /// what covers it, 0 to 1; empty where nothing of the scene covers.
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn hidden(&mut self) -> Result<Vec<f32>, SimulationError> {
+        let words = self.backend.read("cover_bt")?;
+        let (pixels, _) = words.as_chunks::<2>();
+        let hidden = |[_, clear]: &[u32; 2]| 1.0 - f32::from_bits(*clear);
+        Ok(pixels.iter().map(hidden).collect())
     }
 
     /// The image drawn last: RGBA, four bytes a pixel, rows from the top.

@@ -1,6 +1,6 @@
 //! Whether inputs of the caller's making fit the plan.
 
-use crate::layout::{SHAPE_CURVE, SHAPE_MESH, SystemFrame, SystemRow};
+use crate::layout::{FlockFrame, SHAPE_CURVE, SHAPE_MESH, SystemFrame, SystemRow};
 use crate::plan::{FrameInputs, Plan, PlanError};
 
 /// Whether lists of the caller's making are as long as the plan's, or as they can be.
@@ -34,6 +34,12 @@ pub(super) fn check_sizes(plan: &Plan, inputs: &FrameInputs) -> Result<(), PlanE
             format!("there are {}", inputs.bounds.len()),
         );
     }
+    if !flocks_fit(plan, inputs) {
+        return refuse(
+            "inputs with other flocks than the plan's".into(),
+            "flocks, boids and relations of the plan, and grids of no more cells".into(),
+        );
+    }
     let is_stored = |row: &SystemRow| {
         let [_, first, len, _] = row.shape;
         let stored = plan.curve_points.len() as f32;
@@ -57,4 +63,37 @@ pub(super) fn check_sizes(plan: &Plan, inputs: &FrameInputs) -> Result<(), PlanE
         );
     }
     Ok(())
+}
+
+/// Whether flocks have the plan's boids, and grids and relations have room in its lists.
+fn flocks_fit(plan: &Plan, inputs: &FrameInputs) -> bool {
+    let mut first = 0;
+    let mut own_boids = |(flock, count): (&FlockFrame, u32)| {
+        let [at, of_flock, ..] = flock.members;
+        let is_own = at == first && of_flock == count;
+        first += count;
+        is_own
+    };
+    let mut with_counts = inputs.flocks.iter().zip(plan.boid_counts());
+    let within = |first: u32, count: u64, most: usize| u64::from(first) + count <= most as u64;
+    let ties = inputs.relations.len();
+    inputs.flocks.len() == plan.flock_count as usize
+        && ties <= plan.relation_count as usize
+        && with_counts.all(&mut own_boids)
+        && inputs.flocks.iter().all(|flock| {
+            let [x, y, z, first] = flock.grid;
+            let cells = [x, y, z].map(u64::from).iter().product();
+            let [first_cover, faces, ..] = flock.drawn;
+            let covers = u64::from(flock.members[1]) * u64::from(faces);
+            cells > 0
+                && faces <= 2
+                && within(first_cover, covers, plan.boid_cover_count as usize)
+                && cells <= u64::from(u32::MAX)
+                && within(first, cells, plan.cell_count as usize)
+                && within(flock.ties[0], flock.ties[1].into(), ties)
+        })
+        && inputs
+            .relations
+            .iter()
+            .all(|tie| (tie.kinds[1] as usize) < inputs.flocks.len())
 }

@@ -14,7 +14,7 @@ pub use adapter::{AdapterChoice, adapter_names};
 pub use error::SimulationError;
 pub use lines::Line;
 pub use radiance::linear_of;
-pub use read::ParticleState;
+pub use read::{BoidState, ParticleState};
 pub use snapshot::{Snapshot, SnapshotError};
 
 use crate::backend::Backend;
@@ -131,6 +131,8 @@ impl Simulation {
             }));
         }
         check_sizes(&self.plan, &inputs).map_err(SimulationError::Plan)?;
+        // Flocks begin with the run, whichever its first frame.
+        inputs.hatches = self.inputs.is_none();
         // What holds for a whole run is the plan's: kernels index by it.
         inputs.frame = Frame {
             frame: self.next_frame.cast_unsigned(),

@@ -7,6 +7,7 @@
 use rayon::prelude::*;
 
 use super::{Simulation, SimulationError};
+use crate::cpu::draw::resolve::behind;
 use crate::cpu::light::light_of;
 
 /// Display-referred value up to which the curve is a line. It is where line and power meet, which the
@@ -20,7 +21,8 @@ impl Simulation {
     /// The image drawn last as linear light: red, green and blue of every pixel, rows from the top,
     /// `3 * width * height` values.
     ///
-    /// Each is [`linear_of`] of v = background + light × exposure. The byte of [`Simulation::image`] is
+    /// Each is [`linear_of`] of v = background + light × exposure, or where something covers, of its
+    /// colour × exposure, what shows of the background, and light × exposure. The byte of [`Simulation::image`] is
     /// v, clamped, times 255, to the nearest: v as it comes back out of the float gives the same byte,
     /// unless 255 v lies within 5e-5 of halfway between two (as a background of 0.1 does). Bits are the
     /// same on every exact adapter. Before the first drawing everything is 0.
@@ -33,9 +35,14 @@ impl Simulation {
         let Some(frame) = self.drawn else {
             return Ok(vec![0.0; low.len()]);
         };
+        let [rg, bt] = ["cover_rg", "cover_bt"].map(|name| self.backend.read(name));
+        let (rg, bt) = (rg?, bt?);
+        let (rg, bt) = (rg.as_chunks::<2>().0, bt.as_chunks::<2>().0);
         let value = |(at, (low, high)): (usize, (&u32, &u32))| {
+            let covers = rg.get(at / 3).copied().zip(bt.get(at / 3).copied());
             // As `resolve` has it, so that bytes and floats are of the same value.
-            linear_of(light_of(*low, *high) * frame.exposure + frame.background[at % 3])
+            let behind = behind(&frame, covers, at % 3);
+            linear_of(light_of(*low, *high) * frame.exposure + behind)
         };
         let limbs = low.par_iter().zip(&high).enumerate();
         Ok(limbs.with_min_len(1 << 12).map(value).collect())

@@ -5,11 +5,12 @@ use bytemuck::{Pod, Zeroable};
 use super::lines::line_of;
 use super::{Line, Simulation, SimulationError};
 use crate::backend::BackendError;
+use crate::cpu::boid::boid_id;
 use crate::cpu::particle::{STREAM_PLACE, draw, identity_of, lifetime_of, row_index};
 use crate::cpu::projection::world_of;
 use crate::exact::dot3;
-use crate::layout::{FrameStats, Particle, SYSTEM_PARABOLIC, SystemRow};
-use crate::plan::FrameInputs;
+use crate::layout::{Boid, FrameStats, Particle, SYSTEM_PARABOLIC, SystemRow};
+use crate::plan::{FrameInputs, Population};
 
 /// A live particle, for people: world space, units a frame, frames. Its bytes are those of a
 /// record of a dump: 40, no padding.
@@ -30,8 +31,45 @@ pub struct ParticleState {
     pub id: u32,
 }
 
+/// A boid, for people: world space, units a frame. Its bytes are those of a record of a dump: 32,
+/// no padding.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct BoidState {
+    /// World position.
+    pub position: [f32; 3],
+    /// World velocity, units a frame.
+    pub velocity: [f32; 3],
+    /// Index of its flock in the scene.
+    pub flock: u32,
+    /// A hash of who it is: the same in every run of the scene and seed.
+    pub id: u32,
+}
+
 impl Simulation {
-    /// The living, in storage order: by birth frame, system and index.
+    /// The boids, by flock and index; none before the first frame is stepped.
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn boids(&mut self) -> Result<Vec<BoidState>, SimulationError> {
+        let Some(inputs) = &self.inputs else {
+            return Ok(Vec::new());
+        };
+        if self.plan.flock_count == 0 {
+            return Ok(Vec::new());
+        }
+        let words = self.backend.read("boids")?;
+        let boids: &[Boid] = bytemuck::cast_slice(&words);
+        let state = |boid: &Boid| BoidState {
+            position: boid.position(),
+            velocity: boid.velocity(),
+            flock: boid.flock(),
+            id: boid_id(&inputs.flocks[boid.flock() as usize], boid.index()),
+        };
+        Ok(boids.iter().map(state).collect())
+    }
+
+    /// The living particles, in storage order: by birth frame, system and index.
     ///
     /// # Errors
     /// The machine fails.
@@ -93,12 +131,20 @@ impl Simulation {
         Ok(self.backend.take_statistics()?)
     }
 
-    /// Digest of the living: equal digests mean equal states.
+    /// Digest of all that lives: equal digests mean equal states.
     ///
     /// # Errors
     /// The machine fails.
     pub fn state_digest(&mut self) -> Result<u64, SimulationError> {
         Ok(self.backend.state_digest()?)
+    }
+
+    /// Digest of one population.
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn population_digest(&mut self, population: Population) -> Result<u64, SimulationError> {
+        Ok(self.backend.population_digest(population)?)
     }
 }
 

@@ -1,30 +1,38 @@
 //! A run's whole state, to go on from without stepping again what led to it.
 //!
 //! Most runs need none: whoever is alive was born at most a lifetime ago, so a run can be entered
-//! anywhere from one lifetime before. Where particles live without limit, or births are dropped for
-//! want of room, the whole past counts, and a snapshot stands for it.
+//! anywhere from one lifetime before. Where particles live without limit, births are dropped for
+//! want of room or boids fly, the whole past counts, and a snapshot stands for it.
 
 use std::io::{self, Write};
 
 use super::{Simulation, SimulationError};
+use crate::backend::Living;
 use crate::cpu::digest;
-use crate::layout::Particle;
+use crate::layout::{Boid, Particle};
 
 /// What the bytes of a snapshot begin with; the last is the version of what follows.
-const MAGIC: &[u8; 8] = b"motes-s\x01";
+const MAGIC: &[u8; 8] = b"motes-s\x02";
 
-/// Words between that and the particles: frame, number of systems, number of particles.
-const HEAD_WORDS: usize = 3;
+/// Words between that and the particles: frame, number of systems, number of particles, number of
+/// boids.
+const HEAD_WORDS: usize = 4;
 
 /// Words of a particle.
 const PARTICLE_WORDS: usize = size_of::<Particle>() / 4;
+
+/// Words of a boid.
+const BOID_WORDS: usize = size_of::<Boid>() / 4;
 
 /// The living after some frame, as they are stored.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Snapshot {
     frame: i32,
     system_count: u32,
+    /// Particles, then boids.
     words: Vec<u32>,
+    live: u32,
+    boid_count: u32,
 }
 
 /// Why bytes are no snapshot, or not one of that run.
@@ -62,11 +70,17 @@ impl Snapshot {
 
     /// How many particles were alive.
     pub fn live(&self) -> u32 {
-        (self.words.len() / PARTICLE_WORDS) as u32
+        self.live
     }
 
-    /// Writes the bytes that [`Snapshot::from_bytes`] reads, the same on every machine: 28, and 32
-    /// for each particle.
+    /// The particles' words and the boids'.
+    fn living(&self) -> Living<'_> {
+        let (particles, boids) = self.words.split_at(self.live as usize * PARTICLE_WORDS);
+        Living { particles, boids }
+    }
+
+    /// Writes the bytes that [`Snapshot::from_bytes`] reads, the same on every machine: 32, and 32
+    /// for each particle and each boid.
     ///
     /// # Errors
     /// Those of the writer.
@@ -80,7 +94,12 @@ impl Snapshot {
     }
 
     fn head(&self) -> [u32; HEAD_WORDS] {
-        [self.frame.cast_unsigned(), self.system_count, self.live()]
+        [
+            self.frame.cast_unsigned(),
+            self.system_count,
+            self.live,
+            self.boid_count,
+        ]
     }
 
     /// Reads what [`Snapshot::write_to`] wrote.
@@ -95,7 +114,13 @@ impl Snapshot {
         let (quads, odd) = body.as_chunks::<4>();
         let mut body = quads.iter().map(|word| u32::from_le_bytes(*word));
         let head = [(); HEAD_WORDS].map(|()| body.next());
-        let [Some(frame), Some(system_count), Some(live)] = head else {
+        let [
+            Some(frame),
+            Some(system_count),
+            Some(live),
+            Some(boid_count),
+        ] = head
+        else {
             return Err(SnapshotError::Damaged);
         };
         let mut words = Vec::new();
@@ -104,13 +129,17 @@ impl Snapshot {
             .map_err(|_| SnapshotError::TooLarge)?;
         words.extend(body);
         let is_whole = odd.is_empty()
-            && words.len() as u64 == u64::from(live) * PARTICLE_WORDS as u64
-            && u64::from_le_bytes(*found) == seal(&[frame, system_count, live], &words);
+            && words.len() as u64
+                == u64::from(live) * PARTICLE_WORDS as u64
+                    + u64::from(boid_count) * BOID_WORDS as u64
+            && u64::from_le_bytes(*found) == seal(&[frame, system_count, live, boid_count], &words);
         is_whole
             .then(|| Self {
                 frame: frame.cast_signed(),
                 system_count,
                 words,
+                live,
+                boid_count,
             })
             .ok_or(SnapshotError::Damaged)
     }
@@ -131,10 +160,17 @@ impl Simulation {
             return Ok(None);
         };
         let frame = inputs.frame.frame.cast_signed();
+        let mut words = self.backend.read("particles")?;
+        let live = (words.len() / PARTICLE_WORDS) as u32;
+        if self.plan.boid_count > 0 {
+            words.extend(self.backend.read("boids")?);
+        }
         Ok(Some(Snapshot {
             frame,
             system_count: self.plan.system_count,
-            words: self.backend.read("particles")?,
+            words,
+            live,
+            boid_count: self.plan.boid_count,
         }))
     }
 
@@ -146,12 +182,23 @@ impl Simulation {
     /// fails.
     pub fn restore(&mut self, snapshot: &Snapshot) -> Result<(), SimulationError> {
         let plan = &self.plan;
-        let (particles, _) = snapshot.words.as_chunks::<PARTICLE_WORDS>();
+        let living = snapshot.living();
+        let (particles, _) = living.particles.as_chunks::<PARTICLE_WORDS>();
+        let (boids, _) = living.boids.as_chunks::<BOID_WORDS>();
         let is_of_plan = |particle: &[u32; PARTICLE_WORDS]| {
             let [.., birth] = particle;
             birth >> 16 < plan.system_count
         };
-        let fits = snapshot.system_count == plan.system_count
+        // Kernels index by the slot and the index of a boid: they are those of its place.
+        let places = (0..).zip(plan.boid_counts());
+        let places = places.flat_map(|(slot, count)| (0..count).map(move |index| (slot, index)));
+        let are_in_place = snapshot.boid_count == plan.boid_count
+            && boids.iter().zip(places).all(|(boid, (slot, index))| {
+                let [_, _, _, of_slot, _, _, _, at] = *boid;
+                (of_slot, at) == (slot, index)
+            });
+        let fits = are_in_place
+            && snapshot.system_count == plan.system_count
             && snapshot.live() <= plan.capacity
             && snapshot.frame >= plan.first_frame
             && particles.iter().all(is_of_plan);
@@ -163,7 +210,7 @@ impl Simulation {
         let recent: Vec<_> = (earliest..=snapshot.frame)
             .map(|frame| plan.inputs(frame.cast_unsigned()))
             .collect();
-        self.backend.restore(&snapshot.words, &recent)?;
+        self.backend.restore(&living, &recent)?;
         self.inputs = recent.into_iter().last();
         self.next_frame = snapshot.frame + 1;
         Ok(())

@@ -62,7 +62,7 @@ pub(crate) fn adversarial(seed: u32, first: u32, count: u32) -> (Plan, Vec<Frame
                  generation_shape = {{ kind = \"sphere\", radius = 1 }}\nlifetime = 7\n\
                  color = {{ mean = [1, 1, 1], rate_var = [1, 1, 1] }}\nsize = 1\n\
                  particle_shape = \"{shape}\"\nintensity_threshold = 0.1\ndrag = 0.5\n\
-                 integration = \"parabola\"\nlight_distance = 1\n[[system.extinction]]\n\
+                 integration = \"parabola\"\nlight_distance = 1\nblend = \"over\"\n[[system.extinction]]\n\
                  kind = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\nkills = \"inside\"\n"
             )
         })
@@ -108,6 +108,9 @@ pub(crate) fn adversarial(seed: u32, first: u32, count: u32) -> (Plan, Vec<Frame
             inputs.frame.closing_view_from_world_y = view(&mut dice);
             inputs.frame.closing_focal_px *= 1.0 + dice.signed() * 0.9;
             inputs.frame.exposure = dice.magnitude(2.0, 1e3);
+            inputs.frame.light_from = view(&mut dice);
+            inputs.frame.light_color = [0; 4].map(|_: u32| dice.magnitude(1.0, 1e3));
+            inputs.frame.ambient_color = [0; 4].map(|_: u32| dice.magnitude(1.0, 1e3));
             inputs.frame.flags = dice.below(4);
             inputs.bounds = (0..2 * SYSTEMS).map(|_| bound(&mut dice)).collect();
             let count = dice.below(6);

@@ -5,6 +5,7 @@
 mod adversarial;
 mod arguments;
 mod edges;
+mod flocks;
 mod probes;
 mod scenes;
 pub(crate) mod statistics;
@@ -21,6 +22,7 @@ use motes::plan::{BUFFERS, BufferRole, FrameInputs, Plan, STAGES, Stage};
 pub(crate) use adversarial::*;
 pub(crate) use arguments::*;
 pub(crate) use edges::*;
+pub(crate) use flocks::*;
 pub(crate) use probes::*;
 pub(crate) use scenes::*;
 pub(crate) use windy::*;

@@ -1,6 +1,7 @@
 //! Every function of the shared libraries, in WGSL and in Rust, to be evaluated on the same
 //! arguments by an adapter and by the processor.
 
+mod covers;
 mod structs;
 
 use glam::{Vec2, Vec3};
@@ -13,6 +14,7 @@ use motes::rng::{index_below, pcg4d, signed_float, signed4, unit_float, unit4};
 use motes::transcendental::*;
 
 use super::Arguments;
+use covers::*;
 use structs::*;
 
 /// One word that both sides compute: an expression in WGSL and its twin.
@@ -179,6 +181,56 @@ pub(crate) static PROBES: &[ProbeKernel] = &[
         ("bits(flow(5u, c, d, w, i).x)", |r| bits(flow(r, 5).x)),
         ("bits(flow(5u, c, d, w, i).y)", |r| bits(flow(r, 5).y)),
         ("bits(flow(5u, c, d, w, i).z)", |r| bits(flow(r, 5).z)),
+    ] },
+    ProbeKernel { name: "probe/covers", imports: COVER_IMPORTS, libraries: &["motes::cover", "motes::shape"], probes: &[
+        ("bits(part(0u, w, i))", |r| bits(part(r, 0))),
+        ("record(0u, w, i, 1u)", |r| record(r, 0, 1)),
+        ("bits(part(1u, w, i))", |r| bits(part(r, 1))),
+        ("record(1u, w, i, 1u)", |r| record(r, 1, 1)),
+        ("bits(part(2u, w, i))", |r| bits(part(r, 2))),
+        ("record(2u, w, i, 1u)", |r| record(r, 2, 1)),
+        ("bits(part(3u, w, i))", |r| bits(part(r, 3))),
+        ("record(3u, w, i, 1u)", |r| record(r, 3, 1)),
+        ("bits(part(4u, w, i))", |r| bits(part(r, 4))),
+        ("record(4u, w, i, 1u)", |r| record(r, 4, 1)),
+        ("record(0u, w, i, 2u)", |r| record(r, 0, 2)),
+        ("record(0u, w, i, 4u)", |r| record(r, 0, 4)),
+        ("record(0u, w, i, 11u)", |r| record(r, 0, 11)),
+        ("record(1u, w, i, 5u)", |r| record(r, 1, 5)),
+        ("record(2u, w, i, 4u)", |r| record(r, 2, 4)),
+        ("record(3u, w, i, 3u)", |r| record(r, 3, 3)),
+        ("record(3u, w, i, 4u)", |r| record(r, 3, 4)),
+        ("record(3u, w, i, 11u)", |r| record(r, 3, 11)),
+        ("record(4u, w, i, 5u)", |r| record(r, 4, 5)),
+        ("record(4u, w, i, 7u)", |r| record(r, 4, 7)),
+        ("record(1u, w, i, 7u)", |r| record(r, 1, 7)),
+        ("record(1u, w, i, 12u)", |r| record(r, 1, 12)),
+        ("record(3u, w, i, 6u)", |r| record(r, 3, 6)),
+        ("record(0u, w, i, 14u)", |r| record(r, 0, 14)),
+        ("record(2u, w, i, 8u)", |r| record(r, 2, 8)),
+        ("record(1u, w, i, 9u)", |r| record(r, 1, 9)),
+        ("record(4u, w, i, 10u)", |r| record(r, 4, 10)),
+        ("record(2u, w, i, 2u)", |r| record(r, 2, 2)),
+        ("record(2u, w, i, 3u)", |r| record(r, 2, 3)),
+        ("record(0u, w, i, 3u)", |r| record(r, 0, 3)),
+        ("bounds(0u, w, i)", |r| bounds(r, 0)),
+        ("bounds(1u, w, i)", |r| bounds(r, 1)),
+        ("bounds(2u, w, i)", |r| bounds(r, 2)),
+        ("bounds(3u, w, i)", |r| bounds(r, 3)),
+        ("bounds(4u, w, i)", |r| bounds(r, 4)),
+        ("bits(over(0u, c, w, i)[0])", |r| bits(over(r, 0)[0])),
+        ("bits(over(0u, c, w, i)[1])", |r| bits(over(r, 0)[1])),
+        ("bits(over(0u, c, w, i)[2])", |r| bits(over(r, 0)[2])),
+        ("bits(over(0u, c, w, i)[3])", |r| bits(over(r, 0)[3])),
+        ("bits(over(1u, c, w, i)[0])", |r| bits(over(r, 1)[0])),
+        ("bits(over(1u, c, w, i)[1])", |r| bits(over(r, 1)[1])),
+        ("bits(over(1u, c, w, i)[2])", |r| bits(over(r, 1)[2])),
+        ("bits(over(1u, c, w, i)[3])", |r| bits(over(r, 1)[3])),
+        ("bits(over(2u, c, w, i)[0])", |r| bits(over(r, 2)[0])),
+        ("bits(over(2u, c, w, i)[1])", |r| bits(over(r, 2)[1])),
+        ("bits(over(2u, c, w, i)[2])", |r| bits(over(r, 2)[2])),
+        ("bits(over(2u, c, w, i)[3])", |r| bits(over(r, 2)[3])),
+        ("key(p, w)", |r| key(r)),
     ] },
     ProbeKernel { name: "probe/area", imports: AREA_IMPORTS, libraries: &["motes::area"], probes: &[
         ("bits(area_px(c, d, w, i))", |r| bits(area_px(r))),

@@ -470,3 +470,56 @@ pub(crate) fn born_on_meshes() -> Scene {
     };
     scene
 }
+
+/// Particles of every shape that cover each other and what glows, lit and flat, sharp and soft, in two
+/// layers; more of them than are drawn at a time where that is as few as can be.
+pub(crate) fn covering() -> Scene {
+    let system = |name: &str, at: &str, births: u32, rest: &str| {
+        format!(
+            "[[system]]\nname = \"{name}\"\nposition = [{at}]\ninitial_mean_parts = {births}\n\
+             generation_shape = {{ kind = \"sphere\", radius = 1.2 }}\n\
+             speed = {{ mean = 0.05, var = 0.05 }}\nlifetime = 3\n\
+             color = {{ mean = [0.6, 0.4, 0.3], var = [0.3, 0.3, 0.3], rate_var = [0.02, 0.02, 0.01] }}\n\
+             transparency = {{ mean = 0.4, var = 0.5 }}\n{rest}\n"
+        )
+    };
+    let over = "blend = \"over\"\n";
+    let systems = [
+        system(
+            "puffs",
+            "0, 0, 0",
+            400,
+            &format!(
+                "{over}size = {{ mean = 0.2, var = 0.19 }}\nshading = \"lit_sphere\"\nedge_softness = 0.6"
+            ),
+        ),
+        system(
+            "balls",
+            "0.3, 0.2, -1",
+            200,
+            &format!("{over}size = {{ mean = 0.06, var = 0.05 }}\nshading = \"lit_sphere\""),
+        ),
+        system(
+            "panes",
+            "-0.4, 0.3, 1",
+            60,
+            &format!("{over}size = 0.3\nparticle_shape = \"rectangle\""),
+        ),
+        system(
+            "rods",
+            "0, -0.5, 0.5",
+            150,
+            &format!(
+                "{over}size = {{ mean = 0.03, var = 0.03 }}\nparticle_shape = \"streak\"\nacceleration = [0.1, 0.2, 0]"
+            ),
+        ),
+        system("sparks", "0, 0, 0", 40, "size = 0.03\nlight_distance = 5"),
+    ];
+    scene_of(&format!(
+        "frames = 4\nimage = {{ width = 62, height = 47, background = [0.2, 0.3, 0.1], exposure = 1.25 }}\n\
+         camera = {{ position = [0.3, -0.2, 4], target = [0.1, 0.1, 0] }}\n\
+         light = {{ direction = [-1, 0.5, 0.7], color = [1, 0.8, 0.6], ambient = [0.1, 0.15, 0.2] }}\n\
+         [[layer]]\nname = \"behind\"\npoint = [0, 0, -0.2]\nnormal = [0.1, 0, 1]\n{}",
+        systems.concat()
+    ))
+}

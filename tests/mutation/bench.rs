@@ -117,7 +117,7 @@ impl<'a> Bench<'a> {
         for (trial, run) in self.trials.iter().zip(&mut self.runs) {
             let off = trial.off(None);
             let mut kernels = Vec::new();
-            for &kernel in &file.kernels {
+            for &kernel in file.kernels.iter().filter(|kernel| trial.runs(kernel)) {
                 let places = self.places.entry((kernel, off.clone()));
                 let places =
                     places.or_insert_with(|| sites_in(kernel, file.library.as_deref(), &off));

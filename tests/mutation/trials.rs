@@ -75,6 +75,8 @@ impl Trial {
         let options = GpuOptions {
             workgroup_size: self.cut.workgroup_size,
             page_bytes: self.page_bytes,
+            // More rounds than one.
+            cover_slice: 1024,
             // Whatever a changed kernel leaves behind, the others stay within their buffers.
             checked: true,
             ..GpuOptions::default()
@@ -88,6 +90,12 @@ impl Trial {
         switches
             .filter_map(|(switch, on)| (!on || also == Some(switch)).then_some(switch))
             .collect()
+    }
+
+    /// Whether its plan has any use for the kernel.
+    pub(crate) fn runs(&self, kernel: &str) -> bool {
+        let mut uses = STAGE_KERNELS.iter().filter(|one| one.kernel == kernel);
+        uses.all(|one| self.plan.has(one.stage))
     }
 
     /// Invocations a workgroup.
@@ -234,6 +242,14 @@ fn far_seen(mut scene: Scene) -> Scene {
     scene
 }
 
+/// The same run, its last frame of one layer.
+fn layered((plan, mut frames): (Plan, Vec<FrameInputs>)) -> (Plan, Vec<FrameInputs>) {
+    if let Some(last) = frames.last_mut() {
+        last.frame.layer = 1;
+    }
+    (plan, frames)
+}
+
 /// All trials, those that catch most at least cost first.
 pub(crate) fn trials() -> Vec<Trial> {
     let turning = |scene: &Scene, count| {
@@ -244,6 +260,12 @@ pub(crate) fn trials() -> Vec<Trial> {
     let unchanging = |scene: &Scene, count| {
         let plan = Plan::new(scene, scene.frames).expect("the scene can be planned");
         let frames = frames_of(&plan, count);
+        (plan, frames)
+    };
+    // As if there were more boids than a loop turns.
+    let flocks = |crowds| {
+        let (mut plan, frames) = unchanging(&all_kinds_of_flocks(), 5);
+        plan.uses.crowds = crowds;
         (plan, frames)
     };
     // Pages as small as they can be, and one for all: llvmpipe keeps something of every dispatch
@@ -260,6 +282,9 @@ pub(crate) fn trials() -> Vec<Trial> {
             64,
             LARGE,
         ),
+        Trial::new("covering", layered(turning(&covering(), 4)), 64, LARGE),
+        Trial::new("flocks", layered(flocks(false)), 24, LARGE),
+        Trial::new("crowded flocks", flocks(true), 64, LARGE),
         Trial::new("glaring", unchanging(&glaring(), 6), 64, LARGE),
         Trial::new("cut corners", unchanging(&cut_corners(), 2), 64, LARGE),
         Trial::new(

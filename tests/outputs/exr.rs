@@ -45,6 +45,7 @@ fn linear(width: u32, height: u32, value: impl Fn(usize) -> f32) -> LinearImage 
         height,
         pixels: (0..3 * (width * height) as usize).map(value).collect(),
         is_layer: false,
+        hidden: Vec::new(),
         comment: String::new(),
     }
 }

@@ -21,6 +21,7 @@ mod light;
 mod meshes;
 mod motion;
 mod order;
+mod over;
 mod places;
 mod raster;
 mod rates;

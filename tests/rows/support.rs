@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
 
-use motes::backend::{Backend, BackendError};
+use motes::backend::{Backend, BackendError, Living};
 use motes::cpu::particle::{Appearance, Identity, appearance_of, identity_of, row_index};
 use motes::gpu::GpuOptions;
 use motes::layout::{FrameStats, Particle};
-use motes::plan::{FrameInputs, Plan, Stage};
+use motes::plan::{FrameInputs, Plan, Population, Stage};
 use motes::scene::Scene;
 use motes::simulation::{ParticleState, Simulation};
 
@@ -131,8 +131,8 @@ impl Backend for Shared {
         held.backend.draw(inputs)
     }
 
-    fn restore(&mut self, particles: &[u32], recent: &[FrameInputs]) -> Result<(), BackendError> {
-        self.held().backend.restore(particles, recent)
+    fn restore(&mut self, living: &Living<'_>, recent: &[FrameInputs]) -> Result<(), BackendError> {
+        self.held().backend.restore(living, recent)
     }
 
     fn read(&mut self, buffer: &str) -> Result<Vec<u32>, BackendError> {
@@ -143,8 +143,8 @@ impl Backend for Shared {
         self.held().backend.take_statistics()
     }
 
-    fn state_digest(&mut self) -> Result<u64, BackendError> {
-        self.held().backend.state_digest()
+    fn population_digest(&mut self, population: Population) -> Result<u64, BackendError> {
+        self.held().backend.population_digest(population)
     }
 
     fn image_digest(&mut self) -> Result<u64, BackendError> {

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use motes::mesh;
 use motes::scene::{
-    Attractor, BirthMoment, BirthRounding, EjectionAxis, EjectionSpread, Extinction,
-    GenerationShape, Integration, Intensity, ParticleShape, ParticleSpace, Projection,
+    Attractor, BirthMoment, BirthRounding, Blend, EjectionAxis, EjectionSpread, Extinction,
+    GenerationShape, Integration, Intensity, ParticleShape, ParticleSpace, Projection, Shading,
     ShutterWeighting, Side, StreakLight, Turbulence, Wind,
 };
 
@@ -161,6 +161,10 @@ fn every_word_is_read_as_what_it_says() {
     assert_eq!(["sphere", "rectangle"].map(shape), shapes);
     let light = |word| first("streak_light", word).streak_light;
     assert_eq!(light("conserved"), StreakLight::Conserved);
+    let blend = |word| first("blend", word).blend;
+    assert_eq!(blend("add"), Blend::Add);
+    let shading = |word| first("shading", word).shading;
+    assert_eq!(shading("flat"), Shading::Flat);
     let rounding = |word| first("birth_rounding", word).birth_rounding;
     assert_eq!(rounding("stochastic"), BirthRounding::Stochastic);
     let scene = accepted(&with("image", "shutter_weighting", "\"camera\""));

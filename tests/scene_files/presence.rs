@@ -110,7 +110,9 @@ fn unknown_keys_are_refused_with_the_nearest() {
 fn only_what_is_required_must_be_written() {
     for &(section, key, ..) in KEYS {
         let fields = match section {
+            // All on one line.
             _ if section.starts_with("generation_shape.") => continue,
+            _ if section.starts_with("edges.") => continue,
             "system" if key.ends_with("_per_area") => continue,
             _ => fields_of(section),
         };
@@ -157,7 +159,7 @@ fn only_what_is_required_must_be_written() {
         }
     }
     let error = refused("title = \"x\"\n");
-    assert_eq!(error.message(), "`camera` and `system` are missing");
+    assert_eq!(error.message(), "`camera` is missing");
     assert_eq!((error.line(), error.column()), (Some(1), Some(1)));
 }
 

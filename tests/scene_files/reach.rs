@@ -1,9 +1,10 @@
 //! What right scenes are read as: every key in its place, and what holds where it is not written.
 
 use motes::scene::{
-    BirthMoment, BirthRounding, BirthUnit, Births, Burst, Camera, Changing, EjectionAxis,
-    EjectionSpread, Extinction, GenerationShape, Image, Integration, Intensity, Layer,
-    ParticleShape, ParticleSpace, Projection, Scene, ShutterWeighting, Side, Spread, StreakLight,
+    BirthMoment, BirthRounding, BirthUnit, Births, Blend, BoidShape, Burst, Camera, Changing,
+    Corners, Dimensions, Edges, EjectionAxis, EjectionSpread, Extinction, Flock, GenerationShape,
+    Image, Integration, Intensity, Layer, Light, ParticleShape, ParticleSpace, Projection,
+    Relation, RelationKind, Rule, Scene, Shading, ShutterWeighting, Side, Spread, StreakLight,
     System, Turbulence, Wind,
 };
 
@@ -49,6 +50,9 @@ fn minimal_system() -> System {
         drag: 0.0,
         integration: Integration::Euler,
         particle_shape: ParticleShape::Sphere,
+        blend: Blend::Add,
+        shading: Shading::Flat,
+        edge_softness: 0.0,
         streak_light: StreakLight::Conserved,
         intensity_threshold: None,
         intensity: Intensity::Brightest,
@@ -97,7 +101,13 @@ fn what_is_not_written_has_the_documented_default() {
             vertical_fov_degrees: 45.0,
             near: 0.1,
         },
+        light: Light {
+            direction: [0.4, 0.8, 0.5],
+            color: [1.0; 3],
+            ambient: [0.2; 3],
+        },
         systems: vec![minimal_system()],
+        flocks: vec![],
         winds: vec![],
         layers: vec![],
         tracks: vec![],
@@ -160,6 +170,9 @@ fn first_system() -> System {
         drag: 0.05,
         integration: Integration::Parabola,
         particle_shape: ParticleShape::Streak,
+        blend: Blend::Over,
+        shading: Shading::LitSphere,
+        edge_softness: 0.75,
         streak_light: StreakLight::Constant,
         intensity_threshold: Some(0.01),
         intensity: Intensity::Luminance,
@@ -217,6 +230,77 @@ fn every_key_of_a_system_reaches_its_place() {
     assert_eq!(scene.systems[1], second);
 }
 
+/// The flocks of [`FULL`].
+fn flocks() -> Vec<Flock> {
+    let rule = |weight, speed, limit| Rule {
+        weight,
+        speed,
+        limit,
+    };
+    let relation = |other, radius, kind| Relation {
+        other,
+        radius: Some(radius),
+        kind,
+    };
+    let rules = RelationKind::Flock {
+        separation: rule(0.5, 3.0, 0.1),
+        inverse_distance: true,
+        alignment: rule(-1.0, 2.0, 0.4),
+        cohesion: rule(0.0, 1.0, 0.6),
+    };
+    let prey = Flock {
+        name: "flock".into(),
+        count: 30,
+        dimensions: Dimensions::Three,
+        region: Corners {
+            min: [0.0, 1.0, -2.0],
+            max: [3.0, 4.0, 5.0],
+        },
+        start_speed: 0.5,
+        max_speed: 1.5,
+        mass: 2.0,
+        force: [0.0, 0.1, -0.1],
+        perception_radius: 25.0,
+        edges: Edges::Wrap(Corners {
+            min: [-1.0, -2.0, -3.0],
+            max: [1.0, 2.0, 3.0],
+        }),
+        relations: vec![
+            relation(1, 12.0, rules),
+            relation(0, 7.0, RelationKind::Avoid { limit: 0.8 }),
+            relation(1, 8.0, RelationKind::Approach { limit: 0.9 }),
+        ],
+        shape: BoidShape::Disc,
+        size: 4.0,
+        color: [0.1, 0.2, 0.3],
+        opacity: 0.6,
+        mirrored: true,
+    };
+    // What is not written has the documented default.
+    let hunters = Flock {
+        name: "hunters".into(),
+        count: 3,
+        dimensions: Dimensions::Two,
+        region: Corners {
+            min: [0.0; 3],
+            max: [1.0; 3],
+        },
+        start_speed: 1.0,
+        max_speed: 2.0,
+        mass: 1.0,
+        force: [0.0; 3],
+        perception_radius: 60.0,
+        edges: Edges::None,
+        relations: vec![],
+        shape: BoidShape::Triangle,
+        size: 3.0,
+        color: [1.0; 3],
+        opacity: 1.0,
+        mirrored: false,
+    };
+    vec![prey, hunters]
+}
+
 #[test]
 fn every_other_key_reaches_its_place() {
     let scene = accepted(FULL);
@@ -262,7 +346,13 @@ fn every_other_key_reaches_its_place() {
             vertical_fov_degrees: 60.0,
             near: 0.01,
         },
+        light: Light {
+            direction: [-1.0, 2.0, 0.5],
+            color: [1.0, 0.9, 0.8],
+            ambient: [0.05, 0.06, 0.07],
+        },
         systems: scene.systems.clone(),
+        flocks: flocks(),
         winds: vec![
             Wind::Uniform {
                 velocity: [0.01, 0.02, 0.03],

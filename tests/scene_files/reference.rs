@@ -55,6 +55,10 @@ fn minimal_with(lines: &str) -> String {
     format!("{head}[[system]]{}\n{lines}", kept.join("\n"))
 }
 
+/// A flock, for what stands in one.
+const FLOCK: &str = "[[flock]]\nname = \"flock\"\ncount = 2\n\
+                     region = { min = [0, 0, 0], max = [1, 1, 0] }\n";
+
 #[test]
 fn the_examples_of_the_reference_page_are_right() {
     let blocks: Vec<&str> = PAGE
@@ -67,6 +71,9 @@ fn the_examples_of_the_reference_page_are_right() {
     for block in blocks {
         let scene = match block {
             whole if whole.contains("[camera]") => accepted(whole),
+            // Of a flock: some edges, or a relation.
+            lines if lines.starts_with("edges") => accepted(&format!("{MINIMAL}{FLOCK}{lines}")),
+            table if table.starts_with("[[flock.") => accepted(&format!("{MINIMAL}{FLOCK}{table}")),
             // A table of the file, or one of the only system.
             table if table.starts_with('[') => accepted(&format!("{MINIMAL}{table}")),
             lines => accepted(&minimal_with(lines)),
@@ -74,8 +81,11 @@ fn the_examples_of_the_reference_page_are_right() {
         let system = &scene.systems[0];
         kinds += scene.winds.len() + system.extinctions.len();
         kinds += usize::from(block.starts_with("generation_shape"));
+        let flocks = scene.flocks.iter();
+        kinds += flocks.map(|flock| flock.relations.len()).sum::<usize>();
+        kinds += usize::from(block.starts_with("edges"));
     }
-    assert_eq!(kinds, 9 + 4 + 9, "each kind has an example");
+    assert_eq!(kinds, 9 + 4 + 9 + 3 + 5, "each kind has an example");
 }
 
 #[test]

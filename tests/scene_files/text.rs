@@ -44,6 +44,10 @@ projection = "orthographic"
 view_height = 3.5
 vertical_fov_degrees = 60
 near = 0.01
+[light]
+direction = [-1, 2, 0.5]
+color = [1, 0.9, 0.8]
+ambient = [0.05, 0.06, 0.07]
 [[system]]
 name = "first"
 position = [1, 2, 3]
@@ -77,6 +81,9 @@ acceleration = [0, -0.01, 0]
 drag = 0.05
 integration = "parabola"
 particle_shape = "streak"
+blend = "over"
+shading = "lit_sphere"
+edge_softness = 0.75
 streak_light = "constant"
 intensity_threshold = 0.01
 intensity = "luminance"
@@ -120,6 +127,52 @@ speed = 1
 lifetime = 2
 color = [1, 1, 1]
 size = 1
+[[flock]]
+name = "flock"
+count = 30
+dimensions = 3
+start_speed = 0.5
+max_speed = 1.5
+mass = 2
+force = [0, 0.1, -0.1]
+perception_radius = 25
+edges = { kind = "wrap", min = [-1, -2, -3], max = [1, 2, 3] }
+shape = "disc"
+size = 4
+color = [0.1, 0.2, 0.3]
+opacity = 0.6
+mirrored = true
+[flock.region]
+min = [0, 1, -2]
+max = [3, 4, 5]
+[[flock.relation]]
+kind = "flock"
+other = "hunters"
+radius = 12
+separation_weight = 0.5
+separation_speed = 3
+separation_limit = 0.1
+separation = "inverse_distance"
+alignment_weight = -1
+alignment_speed = 2
+alignment_limit = 0.4
+cohesion_weight = 0
+cohesion_speed = 1
+cohesion_limit = 0.6
+[[flock.relation]]
+kind = "avoid"
+other = "flock"
+radius = 7
+limit = 0.8
+[[flock.relation]]
+kind = "approach"
+other = "hunters"
+radius = 8
+limit = 0.9
+[[flock]]
+name = "hunters"
+count = 3
+region = { min = [0, 0, 0], max = [1, 1, 1] }
 [[wind]]
 kind = "uniform"
 velocity = [0.01, 0.02, 0.03]
@@ -202,12 +255,16 @@ size = 0.02
 fn index_of(section: &str, key: &str) -> usize {
     let (section, key) = match section.split_once('.') {
         Some(("generation_shape", _)) => ("system", "generation_shape"),
+        Some(("edges", _)) => ("flock", "edges"),
         _ => (section, key),
     };
     let mut current = String::new();
     for (i, line) in FULL.lines().enumerate() {
         if line.starts_with('[') {
-            current = line.trim_matches(['[', ']']).replace("system.", "");
+            current = line
+                .trim_matches(['[', ']'])
+                .replace("system.", "")
+                .replace("flock.", "");
         } else if let Some(kind) = line.strip_prefix("kind = ") {
             current = format!("{current}.{}", kind.trim_matches('"'));
         }
@@ -238,15 +295,15 @@ pub(crate) fn header_of(section: &str, key: &str) -> usize {
 
 /// [`FULL`] with another value for one key.
 pub(crate) fn with(section: &str, key: &str, value: &str) -> String {
-    let line = match section.strip_prefix("generation_shape.") {
-        Some(kind) => {
+    let line = match section.split_once('.') {
+        Some((variants @ ("generation_shape" | "edges"), kind)) => {
             let fields = fields_of(section).iter();
             let others = fields.filter(|field| field.key != key);
             let others = others.map(|field| format!("{} = {}, ", field.key, field.sample()));
             let others: String = others.collect();
-            format!("generation_shape = {{ kind = \"{kind}\", {others}{key} = {value} }}")
+            format!("{variants} = {{ kind = \"{kind}\", {others}{key} = {value} }}")
         }
-        None => format!("{key} = {value}"),
+        _ => format!("{key} = {value}"),
     };
     replaced(index_of(section, key), &line)
 }
@@ -257,12 +314,17 @@ pub(crate) fn fields_of(section: &str) -> &'static [Field] {
         Some(("generation_shape", kind)) => (schema::GENERATION_SHAPES, kind),
         Some(("extinction", kind)) => (schema::EXTINCTIONS, kind),
         Some(("wind", kind)) => (schema::WINDS, kind),
+        Some(("edges", kind)) => (schema::EDGES, kind),
+        Some(("relation", kind)) => (schema::RELATIONS, kind),
         _ => {
             return match section {
                 "" => schema::SCENE,
                 "image" => schema::IMAGE,
                 "camera" => schema::CAMERA,
+                "light" => schema::LIGHT,
                 "system" => schema::SYSTEM,
+                "flock" => schema::FLOCK,
+                "region" => schema::REGION,
                 "burst" => schema::BURST,
                 "layer" => schema::LAYER,
                 _ => panic!("no section {section}"),

@@ -1,10 +1,11 @@
 // resolve: the sums of light become pixels.
 //
 // Reeves 1983, 2.5: red, green and blue are clamped at the frame buffer's maximum.
-// Byte = floor(clamp(v) 255 + 0.5) of the light times the exposure, plus the background.
+// Byte = floor(clamp(v) 255 + 0.5) of the light times the exposure, plus the background; where
+// something covers, plus its colour times the exposure and what shows of the background.
 // One invocation four pixels, so that loads and stores are of four words; buffers are padded to
-// whole fours, and what is past the picture's end is written as 0, for the digest. Reads: frame, light_low, light_high. Writes: image
-// (RGBA, red in the low byte, rows from the top).
+// whole fours, and what is past the picture's end is written as 0, for the digest. Reads: frame, light_low, light_high,
+// cover_rg, cover_bt. Writes: image (RGBA, red in the low byte, rows from the top).
 // Invariant: each pixel depends on its own sums alone.
 
 #import motes::dispatch::linear_index
@@ -14,17 +15,21 @@
 #import motes::packed::unpacked
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
+// Whether anything covers.
+const COVERS: bool = #{COVERS};
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read> light_low: array<vec4<u32>>;
 @group(0) @binding(2) var<storage, read> light_high: array<vec4<u32>>;
-@group(0) @binding(3) var<storage, read_write> image: array<vec4<u32>>;
+@group(0) @binding(3) var<storage, read> cover_rg: array<vec2<u32>>;
+@group(0) @binding(4) var<storage, read> cover_bt: array<vec2<u32>>;
+@group(0) @binding(5) var<storage, read_write> image: array<vec4<u32>>;
 #if WIDE == true
-@group(0) @binding(4) var<storage, read> light_packed: array<vec4<u64>>;
+@group(0) @binding(6) var<storage, read> light_packed: array<vec4<u64>>;
 #endif
 
-fn byte_of(low: u32, high: u32, background: f32) -> u32 {
-    let light = light_of(low, high) * frame.exposure + background;
+fn byte_of(low: u32, high: u32, behind: f32) -> u32 {
+    let light = light_of(low, high) * frame.exposure + behind;
     return u32(to_i32(clamp_unit(light) * 255.0f + 0.5f));
 }
 
@@ -41,9 +46,15 @@ fn pixel_of(pixel: u32, sums: Sums) -> u32 {
     }
     let low = sums.low + sums.more;
     let high = sums.high + select(vec3<u32>(0u), vec3<u32>(1u), low < sums.more);
-    let red = byte_of(low.x, high.x, frame.background.x);
-    let green = byte_of(low.y, high.y, frame.background.y);
-    let blue = byte_of(low.z, high.z, frame.background.z);
+    var behind = frame.background.xyz;
+    if COVERS {
+        let rg = bitcast<vec2<f32>>(cover_rg[pixel]);
+        let bt = bitcast<vec2<f32>>(cover_bt[pixel]);
+        behind = vec3<f32>(rg, bt.x) * frame.exposure + behind * bt.y;
+    }
+    let red = byte_of(low.x, high.x, behind.x);
+    let green = byte_of(low.y, high.y, behind.y);
+    let blue = byte_of(low.z, high.z, behind.z);
     return red | (green << 8u) | (blue << 16u) | 0xff000000u;
 }
 

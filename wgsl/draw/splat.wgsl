@@ -13,7 +13,7 @@
     FEW_CELLS, Footprint, PI, SMALL_DISC, SMALL_SIDE, SQUARE, footprint_of, is_visible, minor_range,
     square_weight_at, weight_at,
 }
-#import motes::layout::{Counts, Frame, Particle, SystemFrame, SystemRow}
+#import motes::layout::{Counts, Frame, Particle, ROW_OVER, SystemFrame, SystemRow}
 #import motes::light::steps_of
 #import motes::packed::{channels_of, left_over, packed}
 #import motes::particle::{age_of, row_index, slot_of}
@@ -28,6 +28,8 @@ const STREAKS: bool = #{STREAKS};
 const RECTANGLES: bool = #{RECTANGLES};
 const RATE_SPREADS: bool = #{RATE_SPREADS};
 const LIGHT_DISTANCES: bool = #{LIGHT_DISTANCES};
+// Whether any system's particles cover, which are not of this stage.
+const COVERS: bool = #{COVERS};
 // Whether the picture has layers.
 const LAYERS: bool = #{LAYERS};
 
@@ -189,6 +191,9 @@ fn splat(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let birth = particle.velocity_and_birth.w;
     let slot = slot_of(birth);
     let row = row_at(row_index(slot, frame.frame - age_of(birth, frame.frame), frame.row_mask), lone);
+    if COVERS && (row.kinds.w & ROW_OVER) != 0u {
+        return;
+    }
     let features = Features(STREAKS, RECTANGLES, RATE_SPREADS, LIGHT_DISTANCES);
     let sprite = sprite_of(frame, system_at(slot, lone), row, particle, features);
     if !is_visible(frame, sprite.start, sprite.end, sprite.radius_px) {

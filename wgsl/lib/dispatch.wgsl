@@ -17,3 +17,8 @@ fn dispatch_for(invocations: u32, workgroup_size: u32) -> Dispatch {
 fn linear_index(global_id: vec3<u32>, workgroup_size: u32) -> u32 {
     return global_id.x + global_id.y * (DISPATCH_WIDTH * workgroup_size);
 }
+
+// Where, among the dispatches, those that are not of pages begin.
+fn first_spare(page_count: u32) -> u32 {
+    return 2u + 4u * page_count + page_count * (page_count + 1u) / 2u;
+}

@@ -55,6 +55,11 @@ const ROW_AROUND: u32 = 2u;
 const ROW_ANGLE_UNIFORM: u32 = 4u;
 const ROW_LUMINANCE: u32 = 8u;
 const ROW_WITHIN_FRAME: u32 = 16u;
+// Particles cover what is behind them; they are shaded as spheres; how soft their edge is stands
+// above that bit, in 65,535ths.
+const ROW_OVER: u32 = 32u;
+const ROW_LIT_SPHERE: u32 = 64u;
+const ROW_SOFTNESS_SHIFT: u32 = 16u;
 
 // What the processor knows of one system in this frame.
 struct SystemFrame {
@@ -99,6 +104,36 @@ struct SystemFrame {
 const SYSTEM_STOCHASTIC: u32 = 1u;
 const SYSTEM_PER_AREA: u32 = 2u;
 const SYSTEM_PARABOLIC: u32 = 4u;
+
+// Something that covers what is behind it, as it is seen: a family's shapes stage writes one for
+// each that it has, in the order of their identities. Floats are bits.
+struct Cover {
+    // x and y in pixels of two points: a triangle's first two corners, a segment's ends; a disc's
+    // or square's centre, then for shading the reciprocal of a disc's radius.
+    points: vec4<u32>,
+    // A triangle's third corner. Of a disc or segment, how far it reaches from its centre or axis,
+    // pixels, and the reciprocal of its edge's width; of a square, half its width. Then what it is
+    // (COVER_...), and its depth along the view axis.
+    shape: vec4<u32>,
+    // Colour in red, green, blue, before exposure; alpha, 0 to 1.
+    color: vec4<u32>,
+    // What the light adds to the colour of a sphere where it falls straight; w unused.
+    lit: vec4<u32>,
+}
+
+// Words of cover_counts: records of something; records of each family, which stand in covers one
+// family after the other.
+const COVERS_SEEN: u32 = 0u;
+const COVERS_OF_PARTICLES: u32 = 1u;
+const COVERS_OF_BOIDS: u32 = 2u;
+// Cover.shape.z: nothing, a disc, a disc with a smooth edge of its own width, a square along the
+// axes, a segment with round ends, a triangle.
+const COVER_NONE: u32 = 0u;
+const COVER_DISC: u32 = 1u;
+const COVER_SOFT_DISC: u32 = 2u;
+const COVER_SQUARE: u32 = 3u;
+const COVER_SEGMENT: u32 = 4u;
+const COVER_TRIANGLE: u32 = 5u;
 
 // What ends particles that come where they should not be, in world space.
 struct Bound {
@@ -147,6 +182,11 @@ struct Frame {
     closing_view_from_world_y: vec4<f32>,
     closing_view_from_world_z: vec4<f32>,
     background: vec4<f32>,
+    // Where the light comes from, in view space (right, up, towards the viewer), its colour, and
+    // the light from everywhere.
+    light_from: vec4<f32>,
+    light_color: vec4<f32>,
+    ambient_color: vec4<f32>,
     // Pixels per unit of x/z, or of x if the view is orthographic: now, and when the shutter
     // closes. The principal point.
     focal_px: f32,
@@ -177,6 +217,11 @@ struct Frame {
     layer: u32,
     // No particle dies of age before it has this many frames.
     least_lifetime: u32,
+    // Grid cells of all flocks.
+    cell_count: u32,
+    spare_a: u32,
+    spare_b: u32,
+    spare_c: u32,
 }
 
 // Frame.flags: the view is orthographic; late light counts more, as for an eye.
@@ -218,3 +263,73 @@ struct Dispatch {
     y: u32,
     z: u32,
 }
+
+// A boid, 32 bytes, in world space. Its place among all is its flock's first and its index.
+struct Boid {
+    // x, y, z as bits; slot of its flock.
+    position_and_flock: vec4<u32>,
+    // Velocity a frame as bits; index within its flock.
+    velocity_and_index: vec4<u32>,
+}
+
+// What the processor knows of one flock in one frame.
+struct FlockFrame {
+    // Where boids are at first: least corner, w: their speed; extents, w: greatest speed after a
+    // move.
+    region_min: vec4<f32>,
+    region_extent: vec4<f32>,
+    // Of the constant force; w: inverse of the mass.
+    acceleration: vec4<f32>,
+    // Edges: least corner, w: factor of velocities there; greatest corner.
+    edges_min: vec4<f32>,
+    edges_max: vec4<f32>,
+    // Extents of the torus, 0 along axes that have no wrap, and their inverses.
+    torus: vec4<f32>,
+    torus_inverse: vec4<f32>,
+    // Least corner of the grid; w: steps of the sums of its boids' velocities.
+    grid_min: vec4<f32>,
+    // w: size of a boid.
+    cells_per_unit: vec4<f32>,
+    // Red, green, blue, opacity.
+    color: vec4<f32>,
+    // Cells along x, y, z; the first one among those of all flocks.
+    grid: vec4<u32>,
+    // First boid, how many, the flock's key, EDGES_....
+    members: vec4<u32>,
+    // First relation, how many, 1 for headings in space, BOID_....
+    ties: vec4<u32>,
+    // First record of what covers, among those of boids, and how many a boid has.
+    drawn: vec4<u32>,
+}
+
+// FlockFrame.members.w: what happens at the edges.
+const EDGES_NONE: u32 = 0u;
+const EDGES_WRAP: u32 = 1u;
+const EDGES_BOUNCE: u32 = 2u;
+const EDGES_INWARD: u32 = 3u;
+const EDGES_TORUS: u32 = 4u;
+// FlockFrame.ties.w: what boids look like.
+const BOID_TRIANGLE: u32 = 0u;
+const BOID_DISC: u32 = 1u;
+const BOID_POINT: u32 = 2u;
+
+// What one flock makes of another.
+struct Relation {
+    // RELATION_..., slot of the other flock, 1 if separation counts near ones more.
+    kinds: vec4<u32>,
+    // Squared radius, radius, steps of the sums of offsets, of those of pushes.
+    reach: vec4<f32>,
+    // Weight, speed, limit; w: limit of a push.
+    separation: vec4<f32>,
+    // w: unit of pushes.
+    alignment: vec4<f32>,
+    cohesion: vec4<f32>,
+}
+
+// Relation.kinds.x.
+const RELATION_FLOCK: u32 = 0u;
+const RELATION_AVOID: u32 = 1u;
+const RELATION_APPROACH: u32 = 2u;
+
+// Steps of a sum over neighbours in its unit, which no term exceeds.
+const SUM_STEPS: f32 = 536870912.0f;

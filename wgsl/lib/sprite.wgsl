@@ -27,7 +27,10 @@ struct Sprite {
     start: Projected,
     end: Projected,
     radius_px: f32,
+    // Light, as far as it is not transparent.
     color: vec3<f32>,
+    // Colour, and how opaque it is.
+    surface: vec4<f32>,
     square: bool,
     conserved: bool,
 }
@@ -60,6 +63,7 @@ fn sprite_of(
         end,
         min_exact(look.size * start.scale, MOST_RADIUS_PX),
         look.color * light,
+        vec4<f32>(look.color, 1.0f - look.transparency),
         features.rectangles && row.kinds.y == PARTICLE_RECTANGLE,
         row.kinds.z != STREAK_CONSTANT,
     );

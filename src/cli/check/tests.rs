@@ -7,10 +7,10 @@ use clap::Parser;
 
 use super::side::Side;
 use super::{CheckArgs, check_all, jobs};
-use crate::backend::{Backend, BackendError};
+use crate::backend::{Backend, BackendError, Living};
 use crate::cpu::CpuBackend;
 use crate::layout::FrameStats;
-use crate::plan::{FrameInputs, Plan, Stage};
+use crate::plan::{FrameInputs, Plan, Population, Stage};
 
 /// What is wrong with a processor.
 #[derive(Clone, Copy, Debug)]
@@ -60,8 +60,8 @@ impl Backend for Wrong {
         self.cpu.run_stage(stage, inputs)
     }
 
-    fn restore(&mut self, particles: &[u32], recent: &[FrameInputs]) -> Result<(), BackendError> {
-        self.cpu.restore(particles, recent)
+    fn restore(&mut self, living: &Living<'_>, recent: &[FrameInputs]) -> Result<(), BackendError> {
+        self.cpu.restore(living, recent)
     }
 
     fn read(&mut self, buffer: &str) -> Result<Vec<u32>, BackendError> {
@@ -79,8 +79,8 @@ impl Backend for Wrong {
         self.cpu.take_statistics()
     }
 
-    fn state_digest(&mut self) -> Result<u64, BackendError> {
-        self.cpu.state_digest()
+    fn population_digest(&mut self, population: Population) -> Result<u64, BackendError> {
+        self.cpu.population_digest(population)
     }
 
     fn image_digest(&mut self) -> Result<u64, BackendError> {

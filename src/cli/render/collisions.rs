@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use crate::cli::CliError;
-use crate::output::{OutputTarget, dump_path};
+use crate::output::OutputTarget;
 
 /// Refuses outputs of which one would overwrite another, or would need its file as a folder.
 pub(super) fn refuse(
@@ -12,8 +12,7 @@ pub(super) fn refuse(
     frames: &Range<u32>,
     layers: &[String],
     stats: Option<&Path>,
-    dumps: &[u32],
-    dump_dir: &Path,
+    dumps: &[PathBuf],
 ) -> Result<(), CliError> {
     // No picture ends in .ply as dumps do, so that only statistics can be among them.
     let pictures = match stats {
@@ -30,9 +29,8 @@ pub(super) fn refuse(
         files.extend(beside.map(|path| ("a layer (--layers)", path)));
     }
     let first_dump = files.len();
-    for &frame in dumps {
-        let path = dump_path(dump_dir, "particles", frame);
-        files.push(("a dump (--dump)", path));
+    for path in dumps {
+        files.push(("a dump (--dump)", path.clone()));
     }
     let places: Vec<PathBuf> = files.iter().map(|(_, path)| place(path)).collect();
     for one in 0..first_dump {

@@ -1,13 +1,22 @@
-//! What is written of one frame: its rows of statistics, its picture.
+//! What is written of one frame: its rows of statistics, its dumps, its picture.
+
+use std::path::Path;
 
 use crate::cli::CliError;
 use crate::layout::FrameStats;
-use crate::output::{LinearImage, Measured, ParticleCounts, Picture, Pixels, Rgba8Image, StatsRow};
+use crate::output::{
+    BoidCounts, LinearImage, Measured, ParticleCounts, Picture, Pixels, Rgba8Image, StatsRow,
+    dump_path, write_boids, write_particles,
+};
+use crate::plan::Population;
 use crate::scene::Scene;
 use crate::simulation::Simulation;
 
-/// The rows of a frame: its state's and its picture's.
-pub(super) fn rows_of(line: &FrameStats, (state, image): (u64, u64)) -> Vec<String> {
+/// The rows of a frame, whose line of statistics is given: its populations' and its picture's.
+pub(super) fn rows_of(
+    simulation: &mut Simulation,
+    line: &FrameStats,
+) -> Result<Vec<String>, CliError> {
     let counts = ParticleCounts {
         requested: line.requested.into(),
         born: line.born.into(),
@@ -17,20 +26,46 @@ pub(super) fn rows_of(line: &FrameStats, (state, image): (u64, u64)) -> Vec<Stri
         died_of_intensity: line.died_of_intensity.into(),
         died_of_bounds: line.died_of_bounds.into(),
     };
-    [
-        ("particles", Measured::Particles(counts), state),
-        ("image", Measured::Image, image),
-    ]
-    .map(|(population, measured, digest)| {
+    let plan = simulation.plan();
+    let begins = line.frame == plan.first_frame.cast_unsigned();
+    let boids = BoidCounts {
+        born: if begins { plan.boid_count.into() } else { 0 },
+        live: plan.boid_count.into(),
+    };
+    let populations: Vec<Population> = plan.populations().collect();
+    let mut rows = Vec::new();
+    let mut row = |population, measured, digest| {
         let row = StatsRow {
             frame: line.frame,
             population,
             measured,
             digest: Some(digest),
         };
-        row.to_line()
-    })
-    .into()
+        rows.push(row.to_line());
+    };
+    for population in populations {
+        let measured = match population {
+            Population::Boids => Measured::Boids(boids),
+            _ => Measured::Particles(counts),
+        };
+        let digest = simulation.population_digest(population)?;
+        row(population.name(), measured, digest);
+    }
+    row("image", Measured::Image, simulation.image_digest()?);
+    Ok(rows)
+}
+
+/// Dumps every population of the scene.
+pub(super) fn dump(simulation: &mut Simulation, dir: &Path, frame: u32) -> Result<(), CliError> {
+    let populations: Vec<Population> = simulation.plan().populations().collect();
+    for population in populations {
+        let path = dump_path(dir, population.name(), frame);
+        match population {
+            Population::Boids => write_boids(&path, &simulation.boids()?)?,
+            Population::Particles => write_particles(&path, &simulation.particles()?)?,
+        }
+    }
+    Ok(())
 }
 
 /// The image drawn last, in the form that its file takes; `what` of the scene it shows.
@@ -52,6 +87,7 @@ pub(super) fn picture_of(
             height,
             pixels: simulation.radiance()?,
             is_layer: false,
+            hidden: Vec::new(),
             comment: format!("{}, seed {}, {what}", scene.name, scene.seed),
         }),
     })

@@ -3,16 +3,14 @@
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-use super::frame::{picture_of, rows_of};
+use super::frame::{dump, picture_of, rows_of};
 use super::journal::{Finished, Journal};
 use super::request::Request;
 use super::summary::Summary;
 use crate::backend::BackendError;
 use crate::cli::interrupt::Interrupt;
 use crate::cli::{CliError, note, progress_bar};
-use crate::output::{
-    Drawing, FrameSink, Picture, StatsWriter, Written, dump_path, write_particles, write_svg,
-};
+use crate::output::{Drawing, FrameSink, Picture, StatsWriter, Written, write_svg};
 use crate::simulation::{Simulation, SimulationError};
 
 /// Steps between two looks at the statistics: less than half of their ring, so that none are lost
@@ -54,7 +52,10 @@ impl Job<'_> {
         finished: &Finished,
     ) -> Result<Summary, CliError> {
         let frames = &self.request.frames;
-        let mut summary = Summary::default();
+        let mut summary = Summary {
+            most_live: simulation.plan().boid_count,
+            ..Summary::default()
+        };
         let next = self.take_over(finished, &mut summary)?;
         if next == frames.end || summary.stopped.is_some() {
             return Ok(summary);
@@ -206,7 +207,8 @@ impl Job<'_> {
             simulation.draw_layer(index)?;
             let what = format!("frame {frame}, layer {name}");
             let pixels = target.pixels();
-            let layer = picture_of(simulation, scene, pixels, &what)?.into_layer();
+            let hidden = simulation.hidden()?;
+            let layer = picture_of(simulation, scene, pixels, &what)?.into_layer_hiding(hidden);
             if let Some(path) = target.layer_path(frame, name) {
                 layer.write(&path)?;
             }
@@ -240,16 +242,14 @@ impl Job<'_> {
             Pictures::Done => {}
         }
         if dumps.contains(&frame) {
-            let path = dump_path(dump_dir, "particles", frame);
-            write_particles(&path, &simulation.particles()?)?;
+            dump(simulation, dump_dir, frame)?;
         }
         let mut rows = Vec::new();
         if let Some(stats) = &mut self.stats {
-            let digests = (simulation.state_digest()?, simulation.image_digest()?);
             let lines = simulation.take_statistics()?;
             summary.count(&lines);
             if let Some(line) = lines.iter().rfind(|line| line.frame == frame) {
-                rows = rows_of(line, digests);
+                rows = rows_of(simulation, line)?;
             }
             for row in &rows {
                 stats.line(row)?;

@@ -18,7 +18,7 @@ use std::time::{Duration, Instant};
 use super::interrupt::Interrupt;
 use super::{CliError, note};
 use crate::gpu::shader::sources;
-use crate::output::{FrameSink, OutputTarget, StatsWriter, dump_path, probe};
+use crate::output::{FrameSink, OutputTarget, StatsWriter, probe};
 use crate::scene::Scene;
 use crate::simulation::{self, AdapterChoice, Options, Simulation, SimulationError};
 use job::{Job, Pictures};
@@ -69,7 +69,9 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
         request::refuse_to_replace(&args, &request, &finished)?;
     }
     for frame in &request.dumps {
-        probe(&dump_path(&request.dump_dir, "particles", *frame))?;
+        for path in request.dumps_of(*frame) {
+            probe(&path)?;
+        }
     }
     let pictures = match target {
         OutputTarget::Svg(path) => {

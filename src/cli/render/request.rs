@@ -10,7 +10,7 @@ use super::collisions;
 use super::journal::Finished;
 use crate::cli::{CliError, refuse_folder};
 use crate::output::{OutputTarget, dump_path};
-use crate::plan::Turn;
+use crate::plan::{Population, Turn};
 use crate::recording::Recording;
 use crate::scene::{Scene, Set};
 
@@ -24,9 +24,11 @@ pub(super) struct Request {
     pub(super) target: OutputTarget,
     /// Names of the layers that are written beside the frames; none unless they are asked for.
     pub(super) layers: Vec<String>,
-    /// Frames whose particles are dumped.
+    /// Frames whose populations are dumped.
     pub(super) dumps: Vec<u32>,
     pub(super) dump_dir: PathBuf,
+    /// Who is dumped.
+    pub(super) populations: Vec<Population>,
     pub(super) recording: Recording,
     /// The changes, each with the scene that holds from it on.
     pub(super) turns: Vec<Turn>,
@@ -65,7 +67,12 @@ pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
     if let Some(stats) = stats {
         refuse_folder("--stats", stats)?;
     }
-    collisions::refuse(&target, &frames, &layers, stats, &args.dump, &dump_dir)?;
+    let populations = Population::of_scene(&scene);
+    let dumps = args.dump.iter();
+    let dumps: Vec<PathBuf> = dumps
+        .flat_map(|frame| dump_paths(&dump_dir, &populations, *frame))
+        .collect();
+    collisions::refuse(&target, &frames, &layers, stats, &dumps)?;
     let beside = Path::new(&args.scene).parent().unwrap_or(Path::new(""));
     let meshes = scene.meshes();
     let files = meshes.iter().filter(|mesh| mesh.name().contains('.'));
@@ -79,10 +86,6 @@ pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
             .iter()
             .map(|file| ("a mesh of the scene", Some(file.as_path()))),
     );
-    let dumps = args.dump.iter();
-    let dumps: Vec<PathBuf> = dumps
-        .map(|frame| dump_path(&dump_dir, "particles", *frame))
-        .collect();
     let target_path = target.path();
     let mut outputs = vec![Some(&*target_path), stats];
     outputs.extend(dumps.iter().map(|dump| Some(dump.as_path())));
@@ -122,6 +125,7 @@ pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
         layers,
         dumps: args.dump.clone(),
         dump_dir,
+        populations,
         recording,
         turns,
     })
@@ -137,10 +141,20 @@ impl Request {
             files.push(self.target.frame_path(frame));
         }
         if self.dumps.contains(&frame) {
-            files.push(dump_path(&self.dump_dir, "particles", frame));
+            files.extend(self.dumps_of(frame));
         }
         files
     }
+
+    /// The dumps of a frame.
+    pub(super) fn dumps_of(&self, frame: u32) -> Vec<PathBuf> {
+        dump_paths(&self.dump_dir, &self.populations, frame)
+    }
+}
+
+fn dump_paths(dir: &Path, populations: &[Population], frame: u32) -> Vec<PathBuf> {
+    let all = populations.iter();
+    all.map(|it| dump_path(dir, it.name(), frame)).collect()
 }
 
 /// Refuses to write over files that are there and that this run has not `finished` before.

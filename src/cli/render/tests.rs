@@ -9,13 +9,13 @@ use super::job::{Job, Pictures};
 use super::journal::{Finished, Journal};
 use super::request::Request;
 use super::summary::Summary;
-use crate::backend::{Backend, BackendError};
+use crate::backend::{Backend, BackendError, Living};
 use crate::cli::CliError;
 use crate::cli::interrupt::Interrupt;
 use crate::cpu::CpuBackend;
 use crate::layout::FrameStats;
 use crate::output::{FrameSink, OutputTarget, StatsWriter};
-use crate::plan::{FrameInputs, Plan, Stage};
+use crate::plan::{FrameInputs, Plan, Population, Stage};
 use crate::recording::Recording;
 use crate::scene::{self, Scene};
 use crate::simulation::Simulation;
@@ -77,12 +77,12 @@ impl Backend for Failing {
         self.cpu.take_statistics()
     }
 
-    fn restore(&mut self, particles: &[u32], recent: &[FrameInputs]) -> Result<(), BackendError> {
-        self.cpu.restore(particles, recent)
+    fn restore(&mut self, living: &Living<'_>, recent: &[FrameInputs]) -> Result<(), BackendError> {
+        self.cpu.restore(living, recent)
     }
 
-    fn state_digest(&mut self) -> Result<u64, BackendError> {
-        self.cpu.state_digest()
+    fn population_digest(&mut self, population: Population) -> Result<u64, BackendError> {
+        self.cpu.population_digest(population)
     }
 
     fn image_digest(&mut self) -> Result<u64, BackendError> {
@@ -121,6 +121,7 @@ fn render(
         layers: Vec::new(),
         dumps: vec![5],
         dump_dir: folder.to_owned(),
+        populations: vec![Population::Particles],
         recording: Recording::default(),
         turns: Vec::new(),
     };

@@ -9,12 +9,30 @@ fn byte_of(light: f32) -> u32 {
     to_i32(clamp_unit(light) * 255.0 + 0.5) as u32
 }
 
+/// What is behind the light of a pixel's channel, red, green or blue: what covers it, and what of the
+/// background shows through; `covers` are words of `cover_rg` and `cover_bt` for that pixel, if
+/// anything covers.
+#[inline]
+pub(crate) fn behind(frame: &Frame, covers: Option<([u32; 2], [u32; 2])>, channel: usize) -> f32 {
+    let background = frame.background[channel];
+    let Some(([red, green], [blue, clear])) = covers else {
+        return background;
+    };
+    let color = f32::from_bits([red, green, blue][channel]);
+    color * frame.exposure + background * f32::from_bits(clear)
+}
+
 /// One pixel: RGBA with red in the low byte.
 #[inline]
-pub fn resolve(frame: &Frame, light: &LightSums, pixel: usize) -> u32 {
+pub fn resolve(
+    frame: &Frame,
+    light: &LightSums,
+    covers: Option<([u32; 2], [u32; 2])>,
+    pixel: usize,
+) -> u32 {
     let channel = |at: usize| {
         let (low, high) = light.limbs(pixel * 3 + at);
-        byte_of(light_of(low, high) * frame.exposure + frame.background[at])
+        byte_of(light_of(low, high) * frame.exposure + behind(frame, covers, at))
     };
     channel(0) | (channel(1) << 8) | (channel(2) << 16) | 0xff00_0000
 }

@@ -8,7 +8,7 @@ use crate::cpu::light::{LightSums, steps_of};
 use crate::cpu::particle::row_index;
 use crate::cpu::sprite::{Sprite, next_layer, sprite_of};
 use crate::exact::{clamp_unit, dot3, f32_of_i32, less, reciprocal, square_root, to_i32};
-use crate::layout::{Particle, SystemRow};
+use crate::layout::{Particle, ROW_OVER, SystemRow};
 use crate::plan::FrameInputs;
 
 #[inline]
@@ -80,7 +80,7 @@ fn draw_small_disc(light: &LightSums, sprite: &Sprite, reach: f32) {
 
 /// The layer, from 1, that a world place is in.
 #[inline]
-fn layer_of(planes: &[[f32; 4]], world: Vec3) -> u32 {
+pub(super) fn layer_of(planes: &[[f32; 4]], world: Vec3) -> u32 {
     let mut layer = 0;
     for (at, [x, y, z, offset]) in planes.iter().enumerate() {
         let signed_distance = dot3(Vec3::new(*x, *y, *z), world) - offset;
@@ -98,6 +98,9 @@ pub fn splat(particle: &Particle, inputs: &FrameInputs, rows: &[SystemRow], ligh
     let frame = &inputs.frame;
     let birth_frame = frame.frame.wrapping_sub(particle.age(frame.frame));
     let row = &rows[row_index(particle.slot(), birth_frame, frame.row_mask)];
+    if row.kinds[3] & ROW_OVER != 0 {
+        return;
+    }
     let sprite = sprite_of(inputs, row, particle);
     let (start, end) = (sprite.start, sprite.end);
     if !is_visible(frame, start, end, sprite.radius_px) {

@@ -64,6 +64,9 @@ pub(super) const SWITCHES: &[&str] = &[
     "LIGHT_DISTANCES",
     "LAYERS",
     "MESHES",
+    "CROWDS",
+    "COVERS",
+    "TRIANGLES",
 ];
 
 /// A composed and validated module.

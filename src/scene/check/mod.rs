@@ -1,7 +1,9 @@
 //! Checks that look at more than one key: each value here has already passed its own.
 
+mod flocks;
 mod tracks;
 
+pub(super) use flocks::{boids, no_such_flock};
 pub(super) use tracks::tracks;
 
 use super::read::{Reader, Spot};
@@ -263,9 +265,9 @@ fn lifetime_fault(lifetime: Spread<f32>, path: &str) -> Option<Fault> {
     })
 }
 
-/// No two systems have the same name, and no two layers.
+/// No two systems have the same name, no two flocks and no two layers.
 pub(super) fn unique_names(root: &Node) -> Result<(), SceneError> {
-    for kind in ["system", "layer"] {
+    for kind in ["system", "flock", "layer"] {
         let Some(Value::Array(nodes)) = root.entry(kind).map(|entry| &entry.node.value) else {
             continue;
         };

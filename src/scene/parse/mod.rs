@@ -1,22 +1,24 @@
 //! TOML → [`Scene`]: each key of the [`schema`](super::schema) goes to its place in the types.
 
+mod flock;
 mod system;
 mod wind;
 
 use std::rc::Rc;
 
+use self::flock::flocks;
 use self::system::systems;
 use self::wind::wind;
 use super::check;
 use super::files::Files;
 use super::read::{Reader, Spot};
-use super::schema::{CAMERA, IMAGE, LAYER, SCENE};
+use super::schema::{CAMERA, IMAGE, LAYER, LIGHT, SCENE};
 use super::set;
 use super::set::Set;
 use super::tracks;
 use super::tree::{self, Node, Source};
 use super::values::{Quantity, choice, list, text, whole, whole32};
-use super::{Camera, Image, Layer, Projection, Scene, SceneError, ShutterWeighting};
+use super::{Camera, Image, Layer, Light, Projection, Scene, SceneError, ShutterWeighting};
 
 /// A scene's text, read but not yet checked, so that values can be changed.
 pub(crate) struct Draft {
@@ -69,11 +71,18 @@ fn scene(root: &Node, name: &str, files: &Files) -> Result<Scene, SceneError> {
         steady_particles: table.may("steady_particles", whole32)?,
         image: table.must("image", image)?,
         camera: table.must("camera", camera)?,
-        systems: table.must("system", |spot| systems(spot, files))?,
+        systems: table
+            .may("system", |spot| systems(spot, files))?
+            .unwrap_or_default(),
+        flocks: table.must("flock", flocks)?,
+        light: table.must("light", light)?,
         winds: table.must("wind", |spot| list(spot, wind))?,
         layers: table.must("layer", |spot| list(spot, layer))?,
         tracks: Vec::new(),
     };
+    if scene.systems.is_empty() && scene.flocks.is_empty() {
+        return Err(table.missing("system"));
+    }
     check::unique_names(root)?;
     tracks::collect(root, &mut scene)?;
     check::tracks(&scene, root)?;
@@ -109,6 +118,15 @@ fn camera(spot: &Spot<'_>) -> Result<Camera, SceneError> {
     };
     check::camera(&camera, &table)?;
     Ok(camera)
+}
+
+fn light(spot: &Spot<'_>) -> Result<Light, SceneError> {
+    let table = Reader::new(spot.path.clone(), LIGHT, spot.node)?;
+    Ok(Light {
+        direction: table.must("direction", check::direction)?,
+        color: table.must("color", Quantity::read)?,
+        ambient: table.must("ambient", Quantity::read)?,
+    })
 }
 
 fn layer(_: usize, spot: &Spot<'_>) -> Result<Layer, SceneError> {

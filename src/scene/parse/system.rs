@@ -9,9 +9,9 @@ use crate::scene::values::{
     Quantity, changing, choice, list, signed32, spread, text, variant, wholes,
 };
 use crate::scene::{
-    Attractor, BirthMoment, BirthRounding, Births, Burst, EjectionAxis, EjectionSpread, Extinction,
-    GenerationShape, Integration, Intensity, ParticleShape, ParticleSpace, SceneError, Side,
-    StreakLight, System,
+    Attractor, BirthMoment, BirthRounding, Births, Blend, Burst, EjectionAxis, EjectionSpread,
+    Extinction, GenerationShape, Integration, Intensity, ParticleShape, ParticleSpace, SceneError,
+    Shading, Side, StreakLight, System,
 };
 
 pub(super) fn systems(spot: &Spot<'_>, files: &Files) -> Result<Vec<System>, SceneError> {
@@ -73,6 +73,9 @@ fn system(index: usize, node: &Node, files: &Files) -> Result<System, SceneError
         integration: [Integration::Euler, Integration::Parabola]
             [table.must("integration", choice)?],
         particle_shape: shapes[table.must("particle_shape", choice)?],
+        blend: [Blend::Add, Blend::Over][table.must("blend", choice)?],
+        shading: [Shading::Flat, Shading::LitSphere][table.must("shading", choice)?],
+        edge_softness: table.must("edge_softness", Quantity::read)?,
         streak_light: lights[table.must("streak_light", choice)?],
         intensity_threshold: table.may("intensity_threshold", Quantity::read)?,
         intensity: [Intensity::Brightest, Intensity::Luminance][table.must("intensity", choice)?],

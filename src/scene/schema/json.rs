@@ -33,7 +33,14 @@ pub fn json_schema() -> String {
         ),
     ];
     let head = Json::object(head.map(|(key, text)| (key, text.into())));
-    joined(head, table(SCENE)).pretty()
+    // Somebody is in it.
+    let list = |key: &str| {
+        let filled = Json::object([("minItems", Json::Whole(1))]);
+        let properties = Json::Object(vec![(key.to_owned(), filled)]);
+        Json::object([("required", Json::texts([key])), ("properties", properties)])
+    };
+    let somebody = Json::object([("anyOf", Json::Array(vec![list("system"), list("flock")]))]);
+    joined(joined(head, table(SCENE)), somebody).pretty()
 }
 
 /// The entries of two objects.
@@ -167,7 +174,7 @@ fn value(field: &Field) -> Json {
         Kind::Choice(words) => words_of(words),
         Kind::Table(fields) => table(fields),
         Kind::Tables { fields, max } => {
-            let least = usize::from(matches!(field.presence, Presence::Required(_)));
+            let least = usize::from(!matches!(field.presence, Presence::Default(_)));
             array(least, max, table(fields))
         }
         Kind::Variants(kinds) => variants(kinds),

@@ -1,6 +1,7 @@
 //! The tables themselves. A row: key, kind, default or example, unit, meaning, and the
 //! section of the paper that it comes from. Rows in `keyed` may change with the frame.
 
+use super::flocks::FLOCK;
 use super::kinds::{EXTINCTIONS, GENERATION_SHAPES, WINDS};
 use super::rows::{
     DIRECTION, PLACE, changing, default, keyed, numbers, optional, required, spread, text, whole,
@@ -19,7 +20,9 @@ pub const SCENE: &[Field] = &[
     optional("steady_particles", whole(1, 1_000_000_000), "1_000_000", "particles", "how many are alive once births and deaths balance; `motes bench --particles` scales all births by it to reach other counts, and scenes without it have one count only", ""),
     default("image", Kind::Table(IMAGE), "{}", "", "the picture that frames are drawn into", ""),
     required("camera", Kind::Table(CAMERA), "{ position = [0, 1, 5], target = [0, 0, 0] }", "", "the viewer", ""),
-    required("system", Kind::Tables { fields: SYSTEM, max: 1024 }, "[{ name = \"jet\", initial_mean_parts = 100, generation_shape = { kind = \"sphere\", radius = 1 }, speed = 0.1, lifetime = 60, color = [0.4, 0.1, 0.02], size = 0.02 }]", "", "the particle systems, one `[[system]]` each", "Reeves 2"),
+    optional("system", Kind::Tables { fields: SYSTEM, max: 1024 }, "[{ name = \"jet\", initial_mean_parts = 100, generation_shape = { kind = \"sphere\", radius = 1 }, speed = 0.1, lifetime = 60, color = [0.4, 0.1, 0.02], size = 0.02 }]", "", "the particle systems, one `[[system]]` each; a scene without a flock has at least one", "Reeves 2"),
+    default("flock", Kind::Tables { fields: FLOCK, max: 64 }, "[]", "", "the flocks, one `[[flock]]` each", ""),
+    default("light", Kind::Table(LIGHT), "{}", "", "the light that particles reflect which cover and are shaded", "Reeves 5"),
     default("wind", Kind::List { variants: WINDS, max: 16 }, "[]", "", "the parts of the wind, one `[[wind]]` each: it is their sum, and drag makes particles follow it", "Perry 3.2.3"),
     default("layer", Kind::Tables { fields: LAYER, max: 8 }, "[]", "", "planes that split the picture into layers, one `[[layer]]` each", "Reeves 2.5"),
 ];
@@ -33,6 +36,14 @@ pub const IMAGE: &[Field] = &[
     default("shutter", numbers(1, 0.0, 1.0), "0.5", "frames", "how much of a frame the shutter is open, so how long streaks are", "Reeves 3"),
     default("shutter_weighting", Kind::Choice(&["camera", "eye"]), "\"camera\"", "", "whether light counts alike while the shutter is open, or the later the more", "Reeves 3"),
     keyed(default("exposure", numbers(1, 0.0, 1e3), "1", "", "factor of the light of all particles", "")),
+];
+
+/// Keys of `[light]`.
+#[rustfmt::skip] // one row a line
+pub const LIGHT: &[Field] = &[
+    default("direction", DIRECTION, "[0.4, 0.8, 0.5]", "world space", "where the light comes from", "Reeves 5"),
+    default("color", numbers(3, 0.0, 1e3), "[1, 1, 1]", "red, green, blue", "what it makes of white that it falls on straight", "Reeves 5"),
+    default("ambient", numbers(3, 0.0, 1e3), "[0.2, 0.2, 0.2]", "red, green, blue", "light from everywhere, which makes no shades", "Reeves 5"),
 ];
 
 /// Keys of each `[[layer]]`.
@@ -99,6 +110,9 @@ pub const SYSTEM: &[Field] = &[
     keyed(default("drag", numbers(1, 0.0, 1.0), "0", "a share of the velocity", "how much of its velocity against the wind a particle loses each frame", "")),
     default("integration", Kind::Choice(&["euler", "parabola"]), "\"euler\"", "", "whether velocities are those at the start of a frame, or halfway through it, which puts particles on exact parabolas", "Reeves 2.3"),
     default("particle_shape", Kind::Choice(&["sphere", "rectangle", "streak"]), "\"sphere\"", "", "what a particle looks like", "Reeves 2.2"),
+    default("blend", Kind::Choice(&["add", "over"]), "\"add\"", "", "whether particles add their light to what is behind them, or cover it; the same for a whole run", "Reeves 2.5, 5"),
+    default("shading", Kind::Choice(&["flat", "lit_sphere"]), "\"flat\"", "", "whether particles that cover have their colour all over, or reflect the scene's light in it as balls", "Reeves 5"),
+    default("edge_softness", numbers(1, 0.0, 1.0), "0", "a share of the radius", "how wide the edge of a disc that covers is", ""),
     default("streak_light", Kind::Choice(&["conserved", "constant"]), "\"conserved\"", "", "whether a streak's light is spread along it, or full everywhere", "Reeves 3"),
     keyed(optional("intensity_threshold", numbers(1, 0.0, 1e3), "0.01", "light", "a particle dimmer than this is killed; never if left out", "Reeves 2.4")),
     default("intensity", Kind::Choice(&["brightest", "luminance"]), "\"brightest\"", "", "what intensity is: 1 - transparency times the brightest channel, or times the luminance", "Reeves 2.4"),

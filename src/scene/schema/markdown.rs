@@ -2,8 +2,8 @@
 
 use super::json::sentence;
 use super::{
-    BURST, CAMERA, EXTINCTIONS, Field, GENERATION_SHAPES, IMAGE, Kind, LAYER, Limits, Presence,
-    SCENE, SYSTEM, Variant, WINDS,
+    BURST, CAMERA, EDGES, EXTINCTIONS, FLOCK, Field, GENERATION_SHAPES, IMAGE, Kind, LAYER, LIGHT,
+    Limits, Presence, REGION, RELATIONS, SCENE, SYSTEM, Variant, WINDS, parent_of,
 };
 use crate::scene::expect::{digits, range};
 
@@ -17,7 +17,7 @@ const CAN_CHANGE: &str = " ◆";
 #[must_use]
 pub fn reference_page() -> String {
     let mut page = INTRODUCTION.to_owned();
-    let tables: [(&str, &str, &[Field]); 4] = [
+    let tables: [(&str, &str, &[Field]); 5] = [
         ("Top of the file", "Above the first header.", SCENE),
         (
             "`[image]`",
@@ -25,6 +25,11 @@ pub fn reference_page() -> String {
             IMAGE,
         ),
         ("`[camera]`", "The viewer.", CAMERA),
+        (
+            "`[light]`",
+            "What particles reflect that cover and are shaded.",
+            LIGHT,
+        ),
         (
             "`[[system]]`",
             "A particle system, as many as you like.",
@@ -37,10 +42,14 @@ pub fn reference_page() -> String {
     let about = "Births all at once, inside the `[[system]]` above it.";
     page += &section("`[[system.burst]]`", about, BURST);
     let about = "Where the particles of a system are born: a table by its kind.";
-    page += &kinds("`generation_shape`", about, GENERATION_SHAPES, |shape| {
-        let keys = lines(shape).collect::<Vec<_>>().join(", ");
-        format!("generation_shape = {{ {keys} }}\n")
-    });
+    let inline = |key: &'static str| {
+        move |kind: &Variant| {
+            let keys = lines(kind).collect::<Vec<_>>().join(", ");
+            format!("{key} = {{ {keys} }}\n")
+        }
+    };
+    let shape = inline("generation_shape");
+    page += &kinds("`generation_shape`", about, GENERATION_SHAPES, shape);
     let list = |header: &'static str| {
         move |kind: &Variant| {
             let lines: String = lines(kind).map(|line| line + "\n").collect();
@@ -50,6 +59,16 @@ pub fn reference_page() -> String {
     let about = "Where the particles of the `[[system]]` above it may not be: a table by its kind.";
     let header = "[[system.extinction]]";
     page += &kinds("`[[system.extinction]]`", about, EXTINCTIONS, list(header));
+    let about = "A flock, as many as you like: boids that are all there from the first frame on.";
+    page += &section("`[[flock]]`", about, FLOCK);
+    let about = "Where the boids of a flock are at first: anywhere in a box along the axes.";
+    page += &section("`[region]`", about, REGION);
+    let about = "What happens to a flock at the ends of the world: a table by its kind.";
+    page += &kinds("`edges`", about, EDGES, inline("edges"));
+    let about = "What the `[[flock]]` above it makes of another one, or of itself: a table by its \
+                 kind. Predators and attractors are flocks that others avoid and approach.";
+    let header = "[[flock.relation]]";
+    page += &kinds("`[[flock.relation]]`", about, RELATIONS, list(header));
     let about = "A part of the wind, which is the sum of all of them and moves the particles of \
                  systems with `drag`: a table by its kind.";
     page += &kinds("`[[wind]]`", about, WINDS, list("[[wind]]"));
@@ -159,17 +178,15 @@ fn value(field: &Field) -> String {
 
 fn tables(field: &Field, max: usize) -> String {
     let least = match field.presence {
-        Presence::Required(_) => "1 to",
+        Presence::Required(_) | Presence::Optional(_) => "1 to",
         _ => "at most",
     };
-    let of_system = SYSTEM.iter().any(|of_system| of_system.key == field.key);
-    let (path, anchor) = if of_system {
-        (
-            format!("system.{}", field.key),
-            format!("system{}", field.key),
-        )
-    } else {
-        (field.key.to_owned(), field.key.to_owned())
+    let (path, anchor) = match parent_of(field.key) {
+        Some(parent) => (
+            format!("{parent}.{}", field.key),
+            format!("{parent}{}", field.key),
+        ),
+        None => (field.key.to_owned(), field.key.to_owned()),
     };
     format!(
         "{least} {} tables: [`[[{path}]]`](#{anchor})",

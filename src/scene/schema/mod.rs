@@ -3,14 +3,16 @@
 //! The reader takes its rules from these tables, so what they say is what is enforced. A key is
 //! written `--set`-style: `image.width`, `system.0.speed.mean`.
 
+mod flocks;
 mod json;
 mod keys;
 mod kinds;
 mod markdown;
 mod rows;
 
+pub use flocks::{EDGES, FLOCK, REGION, RELATIONS};
 pub use json::json_schema;
-pub use keys::{BURST, CAMERA, IMAGE, LAYER, SCENE, SYSTEM};
+pub use keys::{BURST, CAMERA, IMAGE, LAYER, LIGHT, SCENE, SYSTEM};
 pub use kinds::{EXTINCTIONS, GENERATION_SHAPES, WINDS};
 pub use markdown::reference_page;
 
@@ -218,6 +220,14 @@ fn default_mean(toml: &'static str) -> &'static str {
     inner
         .and_then(|inner| inner.strip_suffix(" }"))
         .unwrap_or(toml)
+}
+
+/// The list of tables that tables of this key stand in, if not in the file itself.
+pub(in crate::scene) fn parent_of(key: &str) -> Option<&'static str> {
+    let has = |fields: &[Field]| fields.iter().any(|field| field.key == key);
+    [("system", SYSTEM), ("flock", FLOCK)]
+        .into_iter()
+        .find_map(|(parent, fields)| has(fields).then_some(parent))
 }
 
 /// The tables around the one with this path, such as `system.jet.speed`, from the outermost on:

@@ -1,0 +1,217 @@
+//! What covers: which part of a pixel a primitive covers, in which colour, and how one stands over what
+//! is behind it. Twin of `wgsl/lib/cover.wgsl`, line by line; see there.
+
+use glam::Vec3;
+
+use crate::cpu::footprint::overlap;
+use crate::exact::{
+    clamp_exact, f32_of_i32, less, max_exact, min_exact, reciprocal, shared_constants, snap, snap3,
+    square_root, to_i32,
+};
+use crate::layout::{
+    COVER_NONE, COVER_SEGMENT, COVER_SOFT_DISC, COVER_SQUARE, COVER_TRIANGLE, Cover,
+};
+
+shared_constants! {
+    /// What shows less than this of itself is hidden.
+    const HIDDEN: f32 = 0.000_015_258_789;
+    /// A triangle that covers less of a pixel covers nothing of it.
+    const LEAST_AREA: f32 = 0.000_244_140_63;
+    /// Edges that run across a pixel's height by less than this count as upright there.
+    const UPRIGHT: f32 = 0.003_906_25;
+    /// What lies farther from the picture's corner counts as there.
+    const FARTHEST: f32 = 1_048_576.0;
+}
+
+/// A pixel on the way from near to far: light that is seen, and how much of the rest shows through.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Layered {
+    /// Red, green, blue that is seen so far.
+    pub color: Vec3,
+    /// How much of what is behind shows through, 0 to 1.
+    pub clear: f32,
+}
+
+impl Layered {
+    /// Nothing yet.
+    pub const EMPTY: Self = Self {
+        color: Vec3::ZERO,
+        clear: 1.0,
+    };
+
+    /// Whether nothing that lies behind is seen.
+    #[inline]
+    pub(crate) fn is_closed(&self) -> bool {
+        less(self.clear, HIDDEN)
+    }
+}
+
+/// The key that sorts from far to near, 0 for what covers nothing.
+#[inline]
+pub fn far_to_near(cover: &Cover) -> u32 {
+    let depth = cover.shape[3];
+    let rising = if depth >= 0x8000_0000 {
+        !depth
+    } else {
+        depth | 0x8000_0000
+    };
+    if cover.shape[2] == COVER_NONE {
+        0
+    } else {
+        !rising
+    }
+}
+
+/// First pixel and one past the last, across and down, that it may cover in a picture of that size.
+#[inline]
+pub fn bounds_of(cover: &Cover, width: u32, height: u32) -> [i32; 4] {
+    let [ax, ay, bx, by] = cover.points.map(f32::from_bits);
+    let [u, v] = [cover.shape[0], cover.shape[1]].map(f32::from_bits);
+    let (low, high) = match cover.shape[2] {
+        COVER_SEGMENT => (
+            [min_exact(ax, bx) - u, min_exact(ay, by) - u],
+            [max_exact(ax, bx) + u, max_exact(ay, by) + u],
+        ),
+        COVER_TRIANGLE => (
+            [
+                min_exact(min_exact(ax, bx), u),
+                min_exact(min_exact(ay, by), v),
+            ],
+            [
+                max_exact(max_exact(ax, bx), u),
+                max_exact(max_exact(ay, by), v),
+            ],
+        ),
+        _ => ([ax - u, ay - u], [ax + u, ay + u]),
+    };
+    let pixel = |x: f32| to_i32(clamp_exact(x, -FARTHEST, FARTHEST));
+    [
+        pixel(low[0]).max(0),
+        pixel(low[1]).max(0),
+        (pixel(high[0]) + 1).min(width as i32),
+        (pixel(high[1]) + 1).min(height as i32),
+    ]
+}
+
+/// The mean of x clamped to 0 .. 1, along a line from `a` to `b`.
+fn mean_clamped(a: f32, b: f32) -> f32 {
+    let low = min_exact(a, b);
+    let high = max_exact(a, b);
+    if less(high - low, UPRIGHT) || !less(0.0, high) || !less(low, 1.0) {
+        return clamp_exact(0.5 * (low + high), 0.0, 1.0);
+    }
+    let from = clamp_exact(low, 0.0, 1.0);
+    let to = clamp_exact(high, 0.0, 1.0);
+    let within = 0.5 * (to * to - from * from) + max_exact(high - 1.0, 0.0);
+    within * reciprocal(high - low)
+}
+
+/// The signed area between an edge and the left side of the unit square, within the square.
+fn beside_edge([ax, ay]: [f32; 2], [bx, by]: [f32; 2]) -> f32 {
+    let from = clamp_exact(ay, 0.0, 1.0);
+    let to = clamp_exact(by, 0.0, 1.0);
+    let slope = (bx - ax) * reciprocal(by - ay);
+    let low = min_exact(ax, bx);
+    let high = max_exact(ax, bx);
+    let at_from = clamp_exact(ax + (from - ay) * slope, low, high);
+    let at_to = clamp_exact(ax + (to - ay) * slope, low, high);
+    (to - from) * mean_clamped(at_from, at_to)
+}
+
+/// The part of a pixel that a triangle covers, its corners given from the pixel's.
+fn triangle_area(a: [f32; 2], b: [f32; 2], c: [f32; 2]) -> f32 {
+    let high_x = max_exact(max_exact(a[0], b[0]), c[0]);
+    let low_x = min_exact(min_exact(a[0], b[0]), c[0]);
+    let high_y = max_exact(max_exact(a[1], b[1]), c[1]);
+    let low_y = min_exact(min_exact(a[1], b[1]), c[1]);
+    if less(high_x, 0.0) || less(high_y, 0.0) || less(1.0, low_x) || less(1.0, low_y) {
+        return 0.0;
+    }
+    let area = (beside_edge(a, b) + beside_edge(b, c) + beside_edge(c, a)).abs();
+    if less(area, LEAST_AREA) {
+        0.0
+    } else {
+        min_exact(area, 1.0)
+    }
+}
+
+/// How far a place is from a segment.
+fn distance_from(x: f32, y: f32, [ax, ay, bx, by]: [f32; 4]) -> f32 {
+    let along_x = bx - ax;
+    let along_y = by - ay;
+    let dx = x - ax;
+    let dy = y - ay;
+    let along = (dx * along_x + dy * along_y) * reciprocal(along_x * along_x + along_y * along_y);
+    let t = clamp_exact(along, 0.0, 1.0);
+    let ex = dx - t * along_x;
+    let ey = dy - t * along_y;
+    square_root(ex * ex + ey * ey)
+}
+
+/// How much of the pixel it covers, 0 to 1.
+#[inline]
+pub fn coverage_at(cover: &Cover, x: i32, y: i32) -> f32 {
+    let points = cover.points.map(f32::from_bits);
+    let [u, v] = [cover.shape[0], cover.shape[1]].map(f32::from_bits);
+    let kind = cover.shape[2];
+    let center_x = f32_of_i32(x) + 0.5;
+    let center_y = f32_of_i32(y) + 0.5;
+    let [ax, ay, bx, by] = points;
+    if kind == COVER_SQUARE {
+        return overlap(x, ax - u, ax + u) * overlap(y, ay - u, ay + u);
+    }
+    if kind == COVER_TRIANGLE {
+        let corner = [f32_of_i32(x), f32_of_i32(y)];
+        let from_corner = |x: f32, y: f32| [x - corner[0], y - corner[1]];
+        return triangle_area(from_corner(ax, ay), from_corner(bx, by), from_corner(u, v));
+    }
+    let distance = if kind == COVER_SEGMENT {
+        distance_from(center_x, center_y, points)
+    } else {
+        let dx = center_x - ax;
+        let dy = center_y - ay;
+        square_root(dx * dx + dy * dy)
+    };
+    let within = clamp_exact((u - distance) * v, 0.0, 1.0);
+    if kind == COVER_SOFT_DISC {
+        within * within * (3.0 - 2.0 * within)
+    } else {
+        within
+    }
+}
+
+/// How straight the light falls on the ball that is seen in the pixel, 0 to 1.
+#[inline]
+fn light_on(cover: &Cover, light_from: Vec3, x: i32, y: i32) -> f32 {
+    let [center_x, center_y, inverse_radius, _] = cover.points.map(f32::from_bits);
+    let right = (f32_of_i32(x) + 0.5 - center_x) * inverse_radius;
+    let up = (center_y - f32_of_i32(y) - 0.5) * inverse_radius;
+    let aside = right * right + up * up;
+    let toward = square_root(max_exact(1.0 - aside, 0.0));
+    // Past its rim, in the pixels of its edge, a ball is as at its rim.
+    clamp_exact(
+        right * light_from.x + up * light_from.y + toward * light_from.z,
+        0.0,
+        1.0,
+    )
+}
+
+/// The pixel with `cover` behind what it has so far.
+#[inline]
+pub fn behind(above: Layered, cover: &Cover, light_from: Vec3, x: i32, y: i32) -> Layered {
+    let [red, green, blue, opacity] = cover.color.map(f32::from_bits);
+    let [lit_red, lit_green, lit_blue, _] = cover.lit.map(f32::from_bits);
+    let color = Vec3::new(red, green, blue);
+    let lit = Vec3::new(lit_red, lit_green, lit_blue);
+    let alpha = snap(opacity * coverage_at(cover, x, y));
+    if above.is_closed() {
+        return above;
+    }
+    let seen = above.clear * alpha;
+    let look = color + lit * light_on(cover, light_from, x, y);
+    let clear = above.clear * (1.0 - alpha);
+    Layered {
+        color: snap3(above.color + look * seen),
+        clear: snap(clear),
+    }
+}

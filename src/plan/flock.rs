@@ -1,0 +1,245 @@
+//! A flock's part of a frame: its edges, its grid, and what it makes of others.
+
+use super::system::name_key;
+use crate::exact::snap;
+use crate::layout::{self, FlockFrame, SUM_STEPS};
+use crate::scene::{BoidShape, Corners, Dimensions, Edges, Flock, RelationKind, Rule, Scene};
+
+/// Marks hashes that make flocks' keys.
+const FLOCK_TAG: u32 = 0x666c_6f63;
+
+/// Cells along an axis at most, so that rounding stays below [`CELL_MARGIN`].
+const MOST_CELLS_ALONG: f64 = 2048.0;
+
+/// How much wider cells are than what they have to be, for rounding.
+const CELL_MARGIN: f64 = 1.001;
+
+/// Where a flock's cells are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Grid {
+    corners: Corners,
+    cells: [u32; 3],
+}
+
+impl Grid {
+    /// The grid of the flock at `slot`: cells as wide as the farthest that anybody sees of it, and
+    /// no more of them than boids. A flock that nobody looks at has one.
+    fn of(scene: &Scene, slot: usize) -> Self {
+        let flock = &scene.flocks[slot];
+        let corners = flat(flock, corners_of(flock.edges).unwrap_or(flock.region));
+        let looks = scene.flocks.iter().flat_map(|other| {
+            let ties = other.relations.iter().filter(|tie| tie.other == slot);
+            ties.map(|tie| tie.radius.unwrap_or(other.perception_radius))
+        });
+        let farthest = looks.fold(0.0, f32::max);
+        if farthest == 0.0 {
+            return Self {
+                corners,
+                cells: [1; 3],
+            };
+        }
+        let mut width = f64::from(farthest) * CELL_MARGIN;
+        loop {
+            let along = |axis: usize| {
+                let extent = f64::from(corners.max[axis]) - f64::from(corners.min[axis]);
+                (extent / width).floor().clamp(1.0, MOST_CELLS_ALONG) as u32
+            };
+            let cells = [0, 1, 2].map(along);
+            let total: u64 = cells.into_iter().map(u64::from).product();
+            if total <= u64::from(flock.count) {
+                return Self { corners, cells };
+            }
+            width *= 1.25;
+        }
+    }
+
+    fn count(&self) -> u32 {
+        self.cells.iter().product()
+    }
+
+    fn cells_per_unit(&self) -> [f32; 3] {
+        let Self {
+            corners: Corners { min, max },
+            cells,
+        } = self;
+        [0, 1, 2].map(|axis| {
+            let extent = f64::from(max[axis]) - f64::from(min[axis]);
+            if cells[axis] > 1 {
+                (f64::from(cells[axis]) / extent) as f32
+            } else {
+                0.0
+            }
+        })
+    }
+}
+
+/// The vector, without a depth where the flock has none.
+fn flattened(flock: &Flock, [x, y, z]: [f32; 3]) -> [f32; 3] {
+    match flock.dimensions {
+        Dimensions::Two => [x, y, 0.0],
+        Dimensions::Three => [x, y, z],
+    }
+}
+
+/// The corners, without a depth where the flock has none.
+fn flat(flock: &Flock, Corners { min, max }: Corners) -> Corners {
+    Corners {
+        min: flattened(flock, min),
+        max: flattened(flock, max),
+    }
+}
+
+fn corners_of(edges: Edges) -> Option<Corners> {
+    match edges {
+        Edges::None => None,
+        Edges::Wrap(corners) | Edges::Torus(corners) => Some(corners),
+        Edges::Repel { corners, .. } | Edges::Constrain { corners, .. } => Some(corners),
+    }
+}
+
+/// Grid cells of all flocks.
+pub(super) fn cell_count(scene: &Scene) -> u32 {
+    let slots = 0..scene.flocks.len();
+    slots.map(|slot| Grid::of(scene, slot).count()).sum()
+}
+
+/// Every flock of a frame and all their relations; `scene` is the scene as it is then.
+pub(super) fn flocks_of(scene: &Scene) -> (Vec<FlockFrame>, Vec<layout::Relation>) {
+    let mut flocks = Vec::new();
+    let mut relations = Vec::new();
+    let (mut first_boid, mut first_cell, mut first_cover) = (0, 0, 0);
+    for (slot, flock) in scene.flocks.iter().enumerate() {
+        let grid = Grid::of(scene, slot);
+        let frame = flock_frame(flock, &grid, scene.seed);
+        let [cells_x, cells_y, cells_z] = grid.cells;
+        let [_, count, key, edges] = frame.members;
+        let [.., in_space, shape] = frame.ties;
+        let ties = flock.relations.len() as u32;
+        flocks.push(FlockFrame {
+            grid: [cells_x, cells_y, cells_z, first_cell],
+            members: [first_boid, count, key, edges],
+            ties: [relations.len() as u32, ties, in_space, shape],
+            drawn: [first_cover, faces(flock), 0, 0],
+            ..frame
+        });
+        relations.extend(flock.relations.iter().map(|tie| relation(flock, tie)));
+        first_boid += flock.count;
+        first_cover += flock.count * faces(flock);
+        first_cell += grid.count();
+    }
+    (flocks, relations)
+}
+
+fn flock_frame(flock: &Flock, grid: &Grid, seed: u64) -> FlockFrame {
+    let with = |[x, y, z]: [f32; 3], w: f32| [x, y, z, w].map(snap);
+    let extent = |Corners { min, max }: Corners| [0, 1, 2].map(|axis| max[axis] - min[axis]);
+    let inverse = |extent: f32| if extent > 0.0 { 1.0 / extent } else { 0.0 };
+    let (edges, factor) = match flock.edges {
+        Edges::None => (layout::EDGES_NONE, 1.0),
+        Edges::Wrap(_) => (layout::EDGES_WRAP, 1.0),
+        Edges::Repel { inward: true, .. } => (layout::EDGES_INWARD, -1.0),
+        Edges::Repel { .. } => (layout::EDGES_BOUNCE, -1.0),
+        Edges::Constrain { factor, .. } => (layout::EDGES_BOUNCE, factor),
+        Edges::Torus(_) => (layout::EDGES_TORUS, 1.0),
+    };
+    let region = flat(flock, flock.region);
+    let corners = flat(flock, corners_of(flock.edges).unwrap_or(flock.region));
+    let torus = match flock.edges {
+        Edges::Torus(_) => extent(corners),
+        _ => [0.0; 3],
+    };
+    let force = flattened(flock, flock.force);
+    let fastest = flock
+        .start_speed
+        .max(flock.max_speed * factor.abs().max(1.0));
+    let [red, green, blue] = flock.color;
+    let shape = match flock.shape {
+        BoidShape::Triangle => layout::BOID_TRIANGLE,
+        BoidShape::Disc => layout::BOID_DISC,
+        BoidShape::Point => layout::BOID_POINT,
+    };
+    FlockFrame {
+        region_min: with(region.min, flock.start_speed),
+        region_extent: with(extent(region), flock.max_speed),
+        acceleration: with(force.map(|part| part / flock.mass), 1.0 / flock.mass),
+        edges_min: with(corners.min, factor),
+        edges_max: with(corners.max, 0.0),
+        torus: with(torus, 0.0),
+        torus_inverse: with(torus.map(inverse), 0.0),
+        grid_min: with(grid.corners.min, SUM_STEPS / power_of_two_from(fastest)),
+        cells_per_unit: with(grid.cells_per_unit(), flock.size),
+        color: [red, green, blue, flock.opacity].map(snap),
+        grid: [0; 4],
+        members: [
+            0,
+            flock.count,
+            name_key(seed, &flock.name, FLOCK_TAG),
+            edges,
+        ],
+        ties: [
+            0,
+            0,
+            u32::from(flock.dimensions == Dimensions::Three),
+            shape,
+        ],
+        drawn: [0; 4],
+    }
+}
+
+/// How often each boid of the flock is drawn.
+fn faces(flock: &Flock) -> u32 {
+    match (flock.opacity > 0.0, flock.mirrored) {
+        (false, _) => 0,
+        (true, false) => 1,
+        (true, true) => 2,
+    }
+}
+
+/// Records of what covers that boids have.
+pub(super) fn cover_count(scene: &Scene) -> u32 {
+    let flocks = scene.flocks.iter();
+    flocks.map(|flock| flock.count * faces(flock)).sum()
+}
+
+fn relation(flock: &Flock, tie: &crate::scene::Relation) -> layout::Relation {
+    let radius = tie.radius.unwrap_or(flock.perception_radius);
+    let weighed = |rule: Rule, w: f32| [rule.weight, rule.speed, rule.limit, w].map(snap);
+    let off = Rule {
+        weight: 0.0,
+        speed: 0.0,
+        limit: 1.0,
+    };
+    let (kind, nearness, rules, limit) = match tie.kind {
+        RelationKind::Flock {
+            separation,
+            inverse_distance,
+            alignment,
+            cohesion,
+        } => {
+            let rules = [separation, alignment, cohesion];
+            (layout::RELATION_FLOCK, inverse_distance, rules, 1.0)
+        }
+        RelationKind::Avoid { limit } => (layout::RELATION_AVOID, false, [off; 3], limit),
+        RelationKind::Approach { limit } => (layout::RELATION_APPROACH, false, [off; 3], limit),
+    };
+    let push = power_of_two_from(limit);
+    layout::Relation {
+        kinds: [kind, tie.other as u32, u32::from(nearness), 0],
+        reach: [
+            radius * radius,
+            radius,
+            SUM_STEPS / power_of_two_from(radius),
+            SUM_STEPS / push,
+        ]
+        .map(snap),
+        separation: weighed(rules[0], limit),
+        alignment: weighed(rules[1], push),
+        cohesion: weighed(rules[2], 0.0),
+    }
+}
+
+/// The least power of two that is not below `x`, which is above 0.
+fn power_of_two_from(x: f32) -> f32 {
+    let floor = f32::from_bits(x.to_bits() & 0x7f80_0000);
+    if floor < x { 2.0 * floor } else { floor }
+}

@@ -1,0 +1,60 @@
+//! The families of records that a run is made of.
+
+use super::Plan;
+use crate::scene::Scene;
+
+/// Those whose state a run is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Population {
+    /// Those of all particle systems.
+    Particles,
+    /// Those of all flocks.
+    Boids,
+}
+
+impl Population {
+    /// Each of them.
+    pub const ALL: [Self; 2] = [Self::Particles, Self::Boids];
+
+    /// Its name in tables and of its dumps; also that of its state buffer.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Particles => "particles",
+            Self::Boids => "boids",
+        }
+    }
+
+    /// The populations that the scene has anybody of.
+    pub(crate) fn of_scene(scene: &Scene) -> Vec<Self> {
+        let has = |population: &Self| match population {
+            Self::Particles => !scene.systems.is_empty(),
+            Self::Boids => !scene.flocks.is_empty(),
+        };
+        Self::ALL.into_iter().filter(has).collect()
+    }
+
+    /// Index of its first record in digests: equal records of two populations count differently.
+    pub(crate) fn first_index(self) -> u32 {
+        match self {
+            Self::Particles => 0,
+            Self::Boids => 1 << 31,
+        }
+    }
+}
+
+impl Plan {
+    /// Whether the scene has anybody of that population.
+    pub fn has_population(&self, population: Population) -> bool {
+        match population {
+            Population::Particles => self.system_count > 0,
+            Population::Boids => self.flock_count > 0,
+        }
+    }
+
+    /// The populations that the scene has anybody of.
+    pub fn populations(&self) -> impl Iterator<Item = Population> + '_ {
+        let all = Population::ALL.into_iter();
+        all.filter(|population| self.has_population(*population))
+    }
+}

@@ -1,0 +1,65 @@
+//! Flocks of every kind.
+
+use motes::scene::Scene;
+
+use super::scene_of;
+
+/// Every kind of relation, edge, look and dimension at once; some of it out of sight, too near or at
+/// the same place.
+pub(crate) fn all_kinds_of_flocks() -> Scene {
+    let box_of = "min = [0, 0, -20], max = [300, 200, 20]";
+    // Who does not move, or only along one axis.
+    let still = |name: &str, lines: &str| {
+        format!(
+            "name = \"{name}\"\ncount = 3\nregion = {{ min = [120, 80, 0], max = [180, 120, 0] }}\n\
+             start_speed = 0\nsize = 8\n{lines}"
+        )
+    };
+    let flocks = [
+        format!(
+            "name = \"a\"\ncount = 300\nregion = {{ {box_of} }}\ndimensions = 3\n\
+             edges = {{ kind = \"torus\", {box_of} }}\nperception_radius = 18\n\
+             [[flock.relation]]\nkind = \"flock\"\n\
+             [[flock.relation]]\nkind = \"avoid\"\nother = \"c\"\n"
+        ),
+        format!(
+            "name = \"b\"\ncount = 200\ndimensions = 3\nmass = 3\nmax_speed = 3\n\
+             region = {{ min = [5, 25, -15], max = [300, 200, 20] }}\n\
+             force = [0.01, 0, 0.02]\nedges = {{ kind = \"repel\", inward = true, {box_of} }}\n\
+             [[flock.relation]]\nkind = \"flock\"\nseparation = \"inverse_distance\"\n\
+             [[flock.relation]]\nkind = \"flock\"\nother = \"a\"\nradius = 15\n\
+             [[flock.relation]]\nkind = \"approach\"\nother = \"c\"\n"
+        ),
+        "name = \"c\"\ncount = 7\nregion = { min = [10, 10, 0], max = [200, 200, 0] }\n\
+         start_speed = 10\nedges = { kind = \"constrain\", min = [0, 0, 0], max = [200, 200, 0] }"
+            .into(),
+        "name = \"boids\"\ncount = 500\nregion = { min = [0, 0, 0], max = [500, 300, 0] }\n\
+         edges = { kind = \"wrap\", min = [0, 0, 0], max = [500, 300, 0] }\nforce = [0, 0.1, 0]\n\
+         shape = \"disc\"\nopacity = 0.5\nmirrored = true"
+            .into(),
+        // More cells than two runs of the prefix sum.
+        format!(
+            "name = \"g\"\ncount = 1500\nregion = {{ {box_of} }}\nopacity = 0\n\
+             edges = {{ kind = \"torus\", {box_of} }}\nperception_radius = 5\n\
+             [[flock.relation]]\nkind = \"flock\"\n"
+        ),
+        still("d", "force = [0, 0.1, 0]"),
+        still("e", "force = [0, 0, 0.1]\ndimensions = 3"),
+        // The last, of one less than sixteen.
+        still("f", "").replace("count = 3", "count = 15"),
+    ];
+    let text: String = flocks
+        .iter()
+        .map(|lines: &String| format!("[[flock]]\n{lines}\n"))
+        .collect();
+    scene_of(&format!(
+        "image = {{ width = 96, height = 64 }}
+         camera = {{ position = [150, 100, -90], target = [150, 100, 0], up = [0, -1, 0], \
+         vertical_fov_degrees = 90, near = 75 }}
+         {text}
+         [[layer]]
+         name = \"near\"
+         point = [0, 0, 4]
+         normal = [0.1, 0, 1]"
+    ))
+}

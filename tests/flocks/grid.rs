@@ -1,0 +1,174 @@
+//! Neighbours by the grid against neighbours by looking at everybody.
+
+use std::collections::BTreeSet;
+
+use motes::cpu::grid::{around, cell_coordinates, cell_index, first_around};
+use motes::gpu::GpuOptions;
+use motes::layout::{Boid, EDGES_TORUS, FlockFrame};
+use motes::plan::{FrameInputs, Plan, Stage};
+
+use crate::common::*;
+use crate::support::*;
+
+/// A flock of 10,000 with all rules, flat or deep, on a torus or not.
+fn crowd(deep: bool, torus: bool) -> String {
+    let (depth, radius) = if deep { (40, 12) } else { (0, 20) };
+    let corners = format!("min = [0, 0, -{depth}], max = [500, 300, {depth}]");
+    let kind = if torus { "torus" } else { "wrap" };
+    with(
+        &flocking(),
+        &[
+            ("count", "10_000"),
+            ("dimensions", if deep { "3" } else { "2" }),
+            ("region", &format!("{{ {corners} }}")),
+            ("edges", &format!("{{ kind = \"{kind}\", {corners} }}")),
+            ("perception_radius", &radius.to_string()),
+        ],
+    )
+}
+
+/// The same inputs with one cell for each flock, so that everybody looks at everybody.
+fn without_grid(inputs: &FrameInputs) -> FrameInputs {
+    let mut one_cell = inputs.clone();
+    for (slot, flock) in one_cell.flocks.iter_mut().enumerate() {
+        flock.grid = [1, 1, 1, slot as u32];
+        flock.cells_per_unit = [0.0, 0.0, 0.0, flock.cells_per_unit[3]];
+    }
+    one_cell
+}
+
+/// Whom a boid finds in the cells around its own.
+fn candidates(flock: &FlockFrame, boid: &Boid, by_cell: &[Vec<u32>]) -> BTreeSet<u32> {
+    let cell = cell_coordinates(flock, boid.position().into());
+    let wraps = flock.members[3] == EDGES_TORUS;
+    let along = |at: i32, cells: u32| -> Vec<i32> {
+        let first = first_around(at, cells);
+        (first..first + cells.min(3) as i32)
+            .map(|at| if wraps { around(at, cells) } else { at })
+            .filter(|at| (0..cells as i32).contains(at))
+            .collect()
+    };
+    let mut found = BTreeSet::new();
+    for z in along(cell.z, flock.grid[2]) {
+        for y in along(cell.y, flock.grid[1]) {
+            for x in along(cell.x, flock.grid[0]) {
+                for member in &by_cell[cell_index(flock, x, y, z) as usize] {
+                    assert!(found.insert(*member), "a boid is looked at twice");
+                }
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn f17_the_grid_finds_whom_brute_force_finds() {
+    for (deep, torus) in [(false, false), (false, true), (true, false), (true, true)] {
+        let plan = plan(&scene(&[&crowd(deep, torus)]));
+        let mut cpu = on_cpu(&plan);
+        step(&mut cpu, &plan.inputs(0));
+        let all = boids(&mut cpu);
+        let flock = plan.inputs(0).flocks[0];
+        let cells: u32 = flock.grid[..3].iter().product();
+        assert!(cells > 50, "{:?}", flock.grid);
+        let mut by_cell = vec![Vec::new(); cells as usize];
+        for (at, boid) in (0..).zip(&all) {
+            let cell = cell_coordinates(&flock, boid.position().into());
+            by_cell[cell_index(&flock, cell.x, cell.y, cell.z) as usize].push(at);
+        }
+        let radius = plan.inputs(0).relations[0].reach[1];
+        let extents = [500.0, 300.0, if deep { 80.0 } else { 0.0 }];
+        let is_near = |a: &Boid, b: &Boid| {
+            let squares = (0..3).map(|axis| {
+                let mut way = (f64::from(a.position()[axis]) - f64::from(b.position()[axis])).abs();
+                if torus && extents[axis] > 0.0 {
+                    way = way.min(extents[axis] - way);
+                }
+                way * way
+            });
+            squares.sum::<f64>() < f64::from(radius).powi(2)
+        };
+        let mut most = 0;
+        for boid in &all {
+            let found = candidates(&flock, boid, &by_cell);
+            let near = (0..).zip(&all).filter(|(_, other)| is_near(boid, other));
+            for (other, _) in near {
+                assert!(found.contains(&other), "deep: {deep}, torus: {torus}");
+            }
+            most = most.max(found.len());
+        }
+        assert!(most < all.len() / 10, "the grid spares most of the looking");
+    }
+}
+
+#[test]
+fn f17_sums_do_not_depend_on_the_grid() {
+    for (deep, torus) in [(false, false), (false, true), (true, false), (true, true)] {
+        let plan = plan(&scene(&[&crowd(deep, torus)]));
+        let (mut by_grid, mut by_force) = (on_cpu(&plan), on_cpu(&plan));
+        for frame in 0..3 {
+            let inputs = plan.inputs(frame);
+            step(&mut by_grid, &inputs);
+            step(&mut by_force, &without_grid(&inputs));
+        }
+        assert_eq!(
+            states_of(&boids(&mut by_grid)),
+            states_of(&boids(&mut by_force)),
+            "deep: {deep}, torus: {torus}"
+        );
+    }
+}
+
+/// Runs the frames on each adapter in lockstep with the processor.
+fn assert_twins(plan: &Plan, frames: &[FrameInputs], options: &GpuOptions) {
+    on_each_adapter(|name, device| {
+        let mut gpu = on_gpu(device, plan, options);
+        if let Err(difference) = compare_run(frames, &mut gpu, &mut on_cpu(plan)) {
+            panic!("{name}: {difference}");
+        }
+    });
+}
+
+#[test]
+fn f17_a_grid_of_many_cells_and_one_of_one_are_the_same_on_devices() {
+    let plan = plan(&scene(&[&with(&crowd(false, true), &[("count", "3000")])]));
+    let frames = frames_of(&plan, 2);
+    let options = GpuOptions {
+        workgroup_size: 32,
+        ..GpuOptions::default()
+    };
+    assert_twins(&plan, &frames, &options);
+    let one_cell: Vec<FrameInputs> = frames.iter().map(without_grid).collect();
+    assert_twins(&plan, &one_cell, &options);
+}
+
+#[test]
+fn f18_coincident_boids_are_the_same_everywhere() {
+    let lines = with(
+        &flocking(),
+        &[
+            ("region", "{ min = [7, 7, 0], max = [7, 7, 0] }"),
+            ("start_speed", "0"),
+        ],
+    );
+    let plan = plan(&scene(&[&lines]));
+    assert_twins(&plan, &frames_of(&plan, 4), &GpuOptions::default());
+}
+
+/// More boids in a cell than drivers let a loop turn.
+#[test]
+fn f17_a_cell_has_no_most() {
+    let crowd = "name = \"crowd\"\ncount = 66_000\nregion = { min = [0, 0, 0], max = [1, 1, 0] }";
+    let one = "name = \"one\"\ncount = 1\nregion = { min = [0.5, 0.5, 0], max = [0.5, 0.5, 0] }\n\
+               [[flock.relation]]\nkind = \"flock\"\nother = \"crowd\"";
+    let plan = plan(&scene(&[crowd, one]));
+    let inputs = plan.inputs(0);
+    let name = &adapters()[0];
+    let (mut gpu, mut cpu) = (
+        on_gpu(&open(name), &plan, &GpuOptions::default()),
+        on_cpu(&plan),
+    );
+    for stage in [Stage::Hatch, Stage::Cells, Stage::Steer] {
+        compare_stage(stage, &inputs, &mut gpu, &mut cpu).unwrap_or_else(|e| panic!("{name}: {e}"));
+    }
+}

@@ -1,0 +1,14 @@
+//! Flocks (the flocking article's rows F1 to F40). A test's name begins with the id of its row.
+
+mod bands;
+#[path = "../common/mod.rs"]
+mod common;
+mod edges;
+mod grid;
+mod looks;
+mod oracle;
+mod rules;
+mod runs;
+mod start;
+mod support;
+mod twins;

@@ -1,0 +1,92 @@
+// cover: in every pixel, what of a round covers it, from near to far.
+//
+// Porter and Duff (1984), "over". One invocation four pixels in a row of a tile, so that a record is
+// loaded once for them. Reads: frame, ranked_covers, tile_summaries, tile_bits. Writes: cover_rg,
+// cover_bt (red and green, blue and how much of what is behind shows through, as bits).
+// Invariant: a pixel depends on the records that cover it and on their order alone, not on tiles or
+// rounds: what is kept between rounds is snapped after every record.
+
+#import motes::cover::{HIDDEN, Kinds, Layered, behind}
+#import motes::dispatch::linear_index
+#import motes::exact::{bits_of, less}
+#import motes::layout::{Cover, Frame}
+#import motes::tile::{Tiling, fours_a_tile, summaries_a_tile, words_a_tile}
+
+const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
+// Which kinds of shapes there may be.
+const RECTANGLES: bool = #{RECTANGLES};
+const STREAKS: bool = #{STREAKS};
+const TRIANGLES: bool = #{TRIANGLES};
+
+var<immediate> tiling: Tiling;
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+@group(0) @binding(1) var<storage, read> ranked_covers: array<Cover>;
+@group(0) @binding(2) var<storage, read> tile_summaries: array<u32>;
+@group(0) @binding(3) var<storage, read> tile_bits: array<u32>;
+@group(0) @binding(4) var<storage, read_write> cover_rg: array<vec2<u32>>;
+@group(0) @binding(5) var<storage, read_write> cover_bt: array<vec2<u32>>;
+
+// What the rounds before have left of a pixel of the picture.
+fn begun(x: i32, y: i32) -> Layered {
+    if tiling.round == 0u || x >= i32(frame.width) || y >= i32(frame.height) {
+        return Layered(vec3<f32>(0.0f), 1.0f);
+    }
+    let at = u32(y) * frame.width + u32(x);
+    let rg = bitcast<vec2<f32>>(cover_rg[at]);
+    let bt = bitcast<vec2<f32>>(cover_bt[at]);
+    return Layered(vec3<f32>(rg, bt.x), bt.y);
+}
+
+fn keep(x: i32, y: i32, pixel: Layered) {
+    if x >= i32(frame.width) || y >= i32(frame.height) {
+        return;
+    }
+    let at = u32(y) * frame.width + u32(x);
+    cover_rg[at] = vec2<u32>(bits_of(pixel.color.x), bits_of(pixel.color.y));
+    cover_bt[at] = vec2<u32>(bits_of(pixel.color.z), bits_of(pixel.clear));
+}
+
+fn is_closed(a: Layered, b: Layered, c: Layered, d: Layered) -> bool {
+    return less(a.clear, HIDDEN) && less(b.clear, HIDDEN) && less(c.clear, HIDDEN) && less(d.clear, HIDDEN);
+}
+
+@compute @workgroup_size(WORKGROUP_SIZE)
+fn cover(@builtin(global_invocation_id) global_id: vec3<u32>) {
+    let work = linear_index(global_id, WORKGROUP_SIZE);
+    let tile = work / fours_a_tile(tiling);
+    if tile >= tiling.across * tiling.down {
+        return;
+    }
+    let in_tile = work % fours_a_tile(tiling);
+    let fours_across = tiling.tile_px / 4u;
+    let x = i32((tile % tiling.across) * tiling.tile_px + (in_tile % fours_across) * 4u);
+    let y = i32((tile / tiling.across) * tiling.tile_px + in_tile / fours_across);
+    let kinds = Kinds(RECTANGLES, STREAKS, TRIANGLES);
+    let light_from = frame.light_from.xyz;
+    var a = begun(x, y);
+    var b = begun(x + 1, y);
+    var c = begun(x + 2, y);
+    var d = begun(x + 3, y);
+    let first_summary = tile * summaries_a_tile(tiling);
+    for (var at = 0u; at < summaries_a_tile(tiling); at += 1u) {
+        var summary = tile_summaries[first_summary + at];
+        while summary != 0u && !is_closed(a, b, c, d) {
+            let word = at * 32u + firstTrailingBit(summary);
+            summary &= summary - 1u;
+            var bits = tile_bits[tile * words_a_tile(tiling) + word];
+            while bits != 0u {
+                let record = ranked_covers[word * 32u + firstTrailingBit(bits)];
+                bits &= bits - 1u;
+                a = behind(a, record, kinds, light_from, x, y);
+                b = behind(b, record, kinds, light_from, x + 1, y);
+                c = behind(c, record, kinds, light_from, x + 2, y);
+                d = behind(d, record, kinds, light_from, x + 3, y);
+            }
+        }
+    }
+    keep(x, y, a);
+    keep(x + 1, y, b);
+    keep(x + 2, y, c);
+    keep(x + 3, y, d);
+}

@@ -1,0 +1,172 @@
+// What covers: which part of a pixel a primitive covers, in which colour, and how one stands over
+// what is behind it.
+//
+// Porter and Duff, "Compositing digital images" (1984), from near to far: `clear` is how much of what
+// is behind shows through all that has come before. Discs and segments cover a pixel by the distance
+// of its centre, with an edge one pixel wide (motes::footprint); squares and triangles by their area in
+// it. Spheres are lit as Lambert has it. Outside its bounds a primitive covers exactly nothing, so a
+// pixel does not depend on which others it is looked up with.
+// Reads and writes no buffers. Invariant: exact on every driver; twin of src/cpu/cover.rs.
+#define_import_path motes::cover
+
+#import motes::exact::{
+    clamp_exact, f32_of_i32, less, max_exact, min_exact, reciprocal, snap, snap3, square_root, to_i32,
+}
+#import motes::footprint::overlap
+#import motes::layout::{
+    COVER_NONE, COVER_SEGMENT, COVER_SOFT_DISC, COVER_SQUARE, COVER_TRIANGLE, Cover,
+}
+
+// What shows less than this of itself is hidden.
+const HIDDEN: f32 = 0.0000152587890625f;
+// A triangle that covers less of a pixel covers nothing of it.
+const LEAST_AREA: f32 = 0.000244140625f;
+// Edges that run across a pixel's height by less than this count as upright there.
+const UPRIGHT: f32 = 0.00390625f;
+// What lies farther from the picture's corner counts as there.
+const FARTHEST: f32 = 1048576.0f;
+
+// Which kinds there may be, discs apart.
+struct Kinds {
+    squares: bool,
+    segments: bool,
+    triangles: bool,
+}
+
+// A pixel on the way from near to far: light that is seen, and how much of the rest shows through.
+struct Layered {
+    color: vec3<f32>,
+    clear: f32,
+}
+
+// The key that sorts from far to near, 0 for what covers nothing.
+fn far_to_near(cover: Cover) -> u32 {
+    let depth = cover.shape.w;
+    let rising = select(depth | 0x80000000u, ~depth, depth >= 0x80000000u);
+    return select(~rising, 0u, cover.shape.z == COVER_NONE);
+}
+
+// First pixel and one past the last, across and down, that it may cover in a picture of that size.
+fn bounds_of(cover: Cover, width: u32, height: u32) -> vec4<i32> {
+    let points = bitcast<vec4<f32>>(cover.points);
+    let shape = bitcast<vec2<f32>>(cover.shape.xy);
+    var low = points.xy - vec2<f32>(shape.x);
+    var high = points.xy + vec2<f32>(shape.x);
+    if cover.shape.z == COVER_SEGMENT {
+        low = vec2<f32>(min_exact(points.x, points.z), min_exact(points.y, points.w)) - vec2<f32>(shape.x);
+        high = vec2<f32>(max_exact(points.x, points.z), max_exact(points.y, points.w)) + vec2<f32>(shape.x);
+    } else if cover.shape.z == COVER_TRIANGLE {
+        low.x = min_exact(min_exact(points.x, points.z), shape.x);
+        low.y = min_exact(min_exact(points.y, points.w), shape.y);
+        high.x = max_exact(max_exact(points.x, points.z), shape.x);
+        high.y = max_exact(max_exact(points.y, points.w), shape.y);
+    }
+    return vec4<i32>(
+        max(to_i32(clamp_exact(low.x, -FARTHEST, FARTHEST)), 0),
+        max(to_i32(clamp_exact(low.y, -FARTHEST, FARTHEST)), 0),
+        min(to_i32(clamp_exact(high.x, -FARTHEST, FARTHEST)) + 1, i32(width)),
+        min(to_i32(clamp_exact(high.y, -FARTHEST, FARTHEST)) + 1, i32(height)),
+    );
+}
+
+// The mean of x clamped to 0 .. 1, along a line from `a` to `b`.
+fn mean_clamped(a: f32, b: f32) -> f32 {
+    let low = min_exact(a, b);
+    let high = max_exact(a, b);
+    if less(high - low, UPRIGHT) || !less(0.0f, high) || !less(low, 1.0f) {
+        return clamp_exact(0.5f * (low + high), 0.0f, 1.0f);
+    }
+    let begin = clamp_exact(low, 0.0f, 1.0f);
+    let end = clamp_exact(high, 0.0f, 1.0f);
+    let within = 0.5f * (end * end - begin * begin) + max_exact(high - 1.0f, 0.0f);
+    return within * reciprocal(high - low);
+}
+
+// The signed area between an edge and the left side of the unit square, within the square.
+fn beside_edge(ax: f32, ay: f32, bx: f32, by: f32) -> f32 {
+    let begin = clamp_exact(ay, 0.0f, 1.0f);
+    let end = clamp_exact(by, 0.0f, 1.0f);
+    let slope = (bx - ax) * reciprocal(by - ay);
+    let low = min_exact(ax, bx);
+    let high = max_exact(ax, bx);
+    let at_from = clamp_exact(ax + (begin - ay) * slope, low, high);
+    let at_to = clamp_exact(ax + (end - ay) * slope, low, high);
+    return (end - begin) * mean_clamped(at_from, at_to);
+}
+
+// The part of a pixel that a triangle covers, its corners given from the pixel's.
+fn triangle_area(a: vec2<f32>, b: vec2<f32>, c: vec2<f32>) -> f32 {
+    let high_x = max_exact(max_exact(a.x, b.x), c.x);
+    let low_x = min_exact(min_exact(a.x, b.x), c.x);
+    let high_y = max_exact(max_exact(a.y, b.y), c.y);
+    let low_y = min_exact(min_exact(a.y, b.y), c.y);
+    if less(high_x, 0.0f) || less(high_y, 0.0f) || less(1.0f, low_x) || less(1.0f, low_y) {
+        return 0.0f;
+    }
+    let area = abs(
+        beside_edge(a.x, a.y, b.x, b.y) + beside_edge(b.x, b.y, c.x, c.y) + beside_edge(c.x, c.y, a.x, a.y),
+    );
+    return select(min_exact(area, 1.0f), 0.0f, less(area, LEAST_AREA));
+}
+
+// How far a place is from a segment.
+fn distance_from(x: f32, y: f32, points: vec4<f32>) -> f32 {
+    let along_x = points.z - points.x;
+    let along_y = points.w - points.y;
+    let dx = x - points.x;
+    let dy = y - points.y;
+    let along = (dx * along_x + dy * along_y) * reciprocal(along_x * along_x + along_y * along_y);
+    let t = clamp_exact(along, 0.0f, 1.0f);
+    let ex = dx - t * along_x;
+    let ey = dy - t * along_y;
+    return square_root(ex * ex + ey * ey);
+}
+
+// How much of the pixel it covers, 0 to 1.
+fn coverage_at(cover: Cover, kinds: Kinds, x: i32, y: i32) -> f32 {
+    let points = bitcast<vec4<f32>>(cover.points);
+    let shape = bitcast<vec2<f32>>(cover.shape.xy);
+    let kind = cover.shape.z;
+    let center_x = f32_of_i32(x) + 0.5f;
+    let center_y = f32_of_i32(y) + 0.5f;
+    if kinds.squares && kind == COVER_SQUARE {
+        return overlap(x, points.x - shape.x, points.x + shape.x)
+            * overlap(y, points.y - shape.x, points.y + shape.x);
+    }
+    if kinds.triangles && kind == COVER_TRIANGLE {
+        let corner = vec2<f32>(f32_of_i32(x), f32_of_i32(y));
+        return triangle_area(points.xy - corner, points.zw - corner, shape - corner);
+    }
+    var distance: f32;
+    if kinds.segments && kind == COVER_SEGMENT {
+        distance = distance_from(center_x, center_y, points);
+    } else {
+        let dx = center_x - points.x;
+        let dy = center_y - points.y;
+        distance = square_root(dx * dx + dy * dy);
+    }
+    let within = clamp_exact((shape.x - distance) * shape.y, 0.0f, 1.0f);
+    return select(within, within * within * (3.0f - 2.0f * within), kind == COVER_SOFT_DISC);
+}
+
+// How straight the light falls on the ball that is seen in the pixel, 0 to 1.
+fn light_on(cover: Cover, light_from: vec3<f32>, x: i32, y: i32) -> f32 {
+    let points = bitcast<vec4<f32>>(cover.points);
+    let right = (f32_of_i32(x) + 0.5f - points.x) * points.z;
+    let up = (points.y - f32_of_i32(y) - 0.5f) * points.z;
+    let aside = right * right + up * up;
+    let toward = square_root(max_exact(1.0f - aside, 0.0f));
+    // Past its rim, in the pixels of its edge, a ball is as at its rim.
+    return clamp_exact(right * light_from.x + up * light_from.y + toward * light_from.z, 0.0f, 1.0f);
+}
+
+// The pixel with `cover` behind what it has so far.
+fn behind(above: Layered, cover: Cover, kinds: Kinds, light_from: vec3<f32>, x: i32, y: i32) -> Layered {
+    let color = bitcast<vec4<f32>>(cover.color);
+    let lit = bitcast<vec3<f32>>(cover.lit.xyz);
+    let alpha = snap(color.w * coverage_at(cover, kinds, x, y));
+    let seen = select(above.clear * alpha, 0.0f, less(above.clear, HIDDEN));
+    let look = color.xyz + lit * light_on(cover, light_from, x, y);
+    let clear = select(above.clear * (1.0f - alpha), above.clear, less(above.clear, HIDDEN));
+    return Layered(snap3(above.color + look * seen), snap(clear));
+}

@@ -1,0 +1,93 @@
+// Records of what covers (motes::layout::Cover): one function a kind of shape.
+//
+// Families of particles, boids and flames write what they look like by these.
+// Reads and writes no buffers. Invariant: exact on every driver, and records hold no zero with a
+// sign; twin of src/cpu/shape.rs.
+#define_import_path motes::shape
+
+#import motes::exact::{
+    bits_of, clamp_exact, f32_of_i32, less, max_exact, min_exact, reciprocal, square_root, to_i32,
+}
+#import motes::footprint::{LARGE_RADIUS_PX, PI, edged_radius}
+#import motes::layout::{
+    COVER_DISC, COVER_SEGMENT, COVER_SOFT_DISC, COVER_SQUARE, COVER_TRIANGLE, Cover,
+}
+
+// What a shape looks like: its depth along the view axis, its colour and alpha, and what the light
+// adds where it falls on a ball straight.
+struct Look {
+    depth: f32,
+    color: vec4<f32>,
+    lit: vec3<f32>,
+}
+
+fn record(kind: u32, points: vec4<f32>, more: vec2<f32>, alpha: f32, look: Look) -> Cover {
+    return Cover(
+        vec4<u32>(bits_of(points.x), bits_of(points.y), bits_of(points.z), bits_of(points.w)),
+        vec4<u32>(bits_of(more.x), bits_of(more.y), kind, bits_of(look.depth)),
+        vec4<u32>(
+            bits_of(look.color.x), bits_of(look.color.y), bits_of(look.color.z),
+            bits_of(clamp_exact(alpha, 0.0f, 1.0f)),
+        ),
+        vec4<u32>(bits_of(look.lit.x), bits_of(look.lit.y), bits_of(look.lit.z), 0u),
+    );
+}
+
+// What makes the sum of a small disc's pixels its area.
+fn gain_of_disc(x: f32, y: f32, radius_px: f32, reach: f32) -> f32 {
+    if !less(radius_px, LARGE_RADIUS_PX) {
+        return 1.0f;
+    }
+    let right = to_i32(x + reach);
+    let bottom = to_i32(y + reach);
+    var sum = 0.0f;
+    for (var row = to_i32(y - reach); row <= bottom; row += 1) {
+        for (var column = to_i32(x - reach); column <= right; column += 1) {
+            let dx = f32_of_i32(column) + 0.5f - x;
+            let dy = f32_of_i32(row) + 0.5f - y;
+            sum += clamp_exact(reach - square_root(dx * dx + dy * dy), 0.0f, 1.0f);
+        }
+    }
+    return PI * radius_px * radius_px * reciprocal(sum);
+}
+
+// A disc; `softness` is the part of its radius that its edge takes.
+fn disc_of(x: f32, y: f32, radius_px: f32, softness: f32, look: Look) -> Cover {
+    let edge = edged_radius(radius_px);
+    let reach = edge + 0.5f;
+    let is_soft = less(0.0f, softness);
+    var gain = 1.0f;
+    if !is_soft {
+        gain = gain_of_disc(x, y, radius_px, reach);
+    }
+    return record(
+        select(COVER_DISC, COVER_SOFT_DISC, is_soft),
+        vec4<f32>(x, y, reciprocal(edge), 0.0f),
+        vec2<f32>(reach, reciprocal(1.0f + softness * (reach - 1.0f))),
+        look.color.w * gain,
+        look,
+    );
+}
+
+// A square along the axes, of half that width.
+fn square_of(x: f32, y: f32, half_px: f32, look: Look) -> Cover {
+    return record(
+        COVER_SQUARE, vec4<f32>(x, y, 0.0f, 0.0f), vec2<f32>(half_px, 0.0f), look.color.w, look,
+    );
+}
+
+// A segment of half that width with round ends; what is thinner than a pixel is that much clearer.
+fn segment_of(begin: vec2<f32>, end: vec2<f32>, half_px: f32, look: Look) -> Cover {
+    return record(
+        COVER_SEGMENT,
+        vec4<f32>(begin, end),
+        vec2<f32>(max_exact(half_px, 0.5f) + 0.5f, 1.0f),
+        look.color.w * min_exact(2.0f * half_px, 1.0f),
+        look,
+    );
+}
+
+// A triangle, its corners in either order.
+fn triangle_of(a: vec2<f32>, b: vec2<f32>, c: vec2<f32>, look: Look) -> Cover {
+    return record(COVER_TRIANGLE, vec4<f32>(a, b), c, look.color.w, look);
+}

@@ -1,0 +1,114 @@
+// Steering (Reynolds 1987, as the flocking article has it): the way a boid wants, less the way it
+// goes, limited. Sums over neighbours are integers of 64 bits, so that they depend neither on the
+// order of the neighbours nor on the grid. Reads and writes no buffers.
+// Twin of src/cpu/steering.rs.
+#define_import_path motes::steering
+
+#import motes::boid::limited
+#import motes::exact::{f32_of_u32, inverse_square_root, min_exact, normalize_exact, to_i32}
+#import motes::layout::{FlockFrame, RELATION_AVOID, RELATION_FLOCK, Relation, SUM_STEPS}
+
+// Inverse of SUM_STEPS.
+const SUM_STEP: f32 = 1.8626451e-9f;
+// How much more than one at the radius a near one counts at most, and steps of what counts so.
+const MOST_NEARNESS: f32 = 512.0f;
+const NEARNESS_STEPS: f32 = 1048576.0f;
+
+// Three sums of 64 bits, in two's complement.
+struct Sum {
+    low: vec3<u32>,
+    high: vec3<i32>,
+}
+
+// What a boid perceives of a flock.
+struct Perceived {
+    count: u32,
+    // Unit vectors away from each, or pushes by each.
+    away: Sum,
+    // Velocities.
+    along: Sum,
+    // Offsets.
+    toward: Sum,
+}
+
+fn nothing() -> Perceived {
+    let zero = Sum(vec3<u32>(0u), vec3<i32>(0i));
+    return Perceived(0u, zero, zero, zero);
+}
+
+// The sum with a term more, to the nearest step.
+fn plus(sum: Sum, term: vec3<f32>) -> Sum {
+    let steps = vec3<i32>(to_i32(term.x + 0.5f), to_i32(term.y + 0.5f), to_i32(term.z + 0.5f));
+    let bits = bitcast<vec3<u32>>(steps);
+    let low = sum.low + bits;
+    let carry = select(vec3<i32>(0i), vec3<i32>(1i), low < bits);
+    return Sum(low, sum.high + (steps >> vec3<u32>(31u)) + carry);
+}
+
+// What two limbs hold, in units: a step is SUM_STEP of one.
+fn value_of(low: u32, high: i32) -> f32 {
+    let negative = high < 0i;
+    let below = select(low, ~low + 1u, negative);
+    let above = select(u32(high), ~u32(high) + select(0u, 1u, low == 0u), negative);
+    let steps = f32_of_u32(above) * 4294967296.0f
+        + (f32_of_u32(below >> 12u) * 4096.0f + f32_of_u32(below & 0xfffu));
+    return select(steps, -steps, negative) * SUM_STEP;
+}
+
+fn values_of(sum: Sum) -> vec3<f32> {
+    return vec3<f32>(
+        value_of(sum.low.x, sum.high.x),
+        value_of(sum.low.y, sum.high.y),
+        value_of(sum.low.z, sum.high.z),
+    );
+}
+
+// What is perceived with one more: `offset` leads to it, of that squared length; `own` is the
+// velocity of who perceives.
+fn perceiving(
+    perceived: Perceived,
+    relation: Relation,
+    other: FlockFrame,
+    offset: vec3<f32>,
+    squared: f32,
+    own: vec3<f32>,
+    velocity: vec3<f32>,
+) -> Perceived {
+    var more = perceived;
+    more.count += 1u;
+    if relation.kinds.x == RELATION_FLOCK {
+        // Zero for one that is at the same place.
+        let inverse = inverse_square_root(squared);
+        let nearness = min_exact(inverse * relation.reach.y, MOST_NEARNESS) * NEARNESS_STEPS;
+        let factor = select(SUM_STEPS, nearness, relation.kinds.z == 1u);
+        more.away = plus(perceived.away, -offset * inverse * factor);
+        more.along = plus(perceived.along, velocity * other.grid_min.w);
+        more.toward = plus(perceived.toward, offset * relation.reach.z);
+        return more;
+    }
+    let push = select(offset, -offset - own, relation.kinds.x == RELATION_AVOID);
+    more.away = plus(perceived.away, limited(push, relation.separation.w) * relation.reach.w);
+    return more;
+}
+
+// A rule's acceleration: the wanted velocity less the own, at most the limit. Where there is no
+// way to want, it brakes.
+fn steering(rule: vec4<f32>, way: vec3<f32>, own: vec3<f32>) -> vec3<f32> {
+    return limited(normalize_exact(way) * rule.y - own, rule.z) * rule.x;
+}
+
+// The acceleration that comes of what is perceived.
+fn answer(perceived: Perceived, relation: Relation, own: vec3<f32>, inverse_mass: f32) -> vec3<f32> {
+    if perceived.count == 0u {
+        return vec3<f32>(0.0f);
+    }
+    let away = values_of(perceived.away);
+    if relation.kinds.x == RELATION_FLOCK {
+        return steering(relation.separation, away, own)
+            + steering(relation.alignment, values_of(perceived.along), own)
+            + steering(relation.cohesion, values_of(perceived.toward), own);
+    }
+    // Steering is an acceleration; a pull is a force.
+    let factor = select(inverse_mass, 1.0f, relation.kinds.x == RELATION_AVOID);
+    return away * (relation.alignment.w * factor);
+}
