@@ -166,6 +166,12 @@ static EXPLAINED: &[Explanation] = &[
     ("sort/place_digits", "place_digits: 1u -> 2u in (run + 1u)", "the next run's pairs, too, at the places that they get there"),
     ("sort/place_digits", "place_digits: (run + 1u) -> Subtract", "the first run wraps to the end of all and places all pairs in order, the others have none left"),
     ("sort/place_digits", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: 4 billion pairs"),
+    ("probe/covers", "triangle_area: ? = less() -> omitted", "of a triangle beside the pixel, whose area in it is 0 by the longer way, too, or so little that it counts as that"),
+    ("sort/count_digits", "count_digits: (run >= runs) -> Greater", "one run more, of no pairs; it clears what the first run clears in the same step"),
+    ("sort/count_digits", "count_digits: (at < DIGITS) -> LessEqual", "a digit beyond the last, which checked kernels do not write"),
+    ("sort/count_digits", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: 4 billion pairs"),
+    ("sort/sum_digits", "sum_digits: (digit >= DIGITS) -> Greater", "a digit beyond the last, which checked kernels do not write"),
+    ("sort/sum_digits", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups: there are 256 invocations"),
     ("draw/shapes", "shapes: if ((page_start + at) == 0u) -> if !", "the others write the same number"),
     ("probe/area", "screen_area_px: 0.0f -> -1.0f", "of what is below 0 the root is 0; rows above the picture of a sphere above it are beyond its reach"),
 ];
