@@ -37,8 +37,15 @@
 //!    the bits.
 //! 4. *advance*: survivors sample the wind, move, and take their compacted places in the other
 //!    pool.
-//! 5. *splat*: particles add light to pixels, in 64-bit integers; all of them, or one layer's.
-//! 6. *resolve*: light becomes bytes.
+//! 5. *hatch*, once: boids where their flocks begin; they never die. *cells*: a copy of them,
+//!    sorted by grid cell, stably. *steer*: each looks at those in the cells around it, steers and
+//!    moves; sums over them are integers.
+//! 6. *shapes*: what covers what is behind it, one record a particle or boid ([`layout::Cover`]).
+//! 7. *cover*: the records are sorted by depth, stably, and each pixel gathers those that cover it,
+//!    from near to far; by tiles, in rounds, so that no tile has too many.
+//! 8. *splat*: particles that glow add light to pixels, in 64-bit integers; all of them, or one
+//!    layer's.
+//! 9. *resolve*: what covers, what shows of the background, and light on top of both become bytes.
 //!
 //! Counts stay on the device; nothing comes back but a ring of statistics, and what is asked for.
 //!

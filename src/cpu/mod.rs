@@ -122,6 +122,12 @@ impl CpuBackend {
             Stage::Steer => self.flocks.steer(inputs),
             Stage::Shapes if self.has_covers => {
                 let rows = &self.rows;
+                self.covers.clear();
+                let room = self.covers.try_reserve(self.particles.len());
+                room.map_err(|_| {
+                    let len = self.particles.len();
+                    BackendError::OutOfMemory(format!("{len} records of what covers"))
+                })?;
                 let records = self.particles.par_iter().with_min_len(CHUNK / 8);
                 let record = |particle| draw::shapes::shapes(particle, inputs, rows);
                 records.map(record).collect_into_vec(&mut self.covers);

@@ -4,7 +4,7 @@ use super::dispatch::DISPATCH_WIDTH;
 use crate::layout::{Frame, Particle};
 
 /// Most bytes of immediates of a kernel.
-const IMMEDIATE_BYTES: u32 = 20;
+const IMMEDIATE_BYTES: u32 = 24;
 
 /// Most storage buffers of a kernel.
 const STORAGE_BUFFERS: u32 = 8;

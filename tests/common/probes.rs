@@ -212,6 +212,7 @@ pub(crate) static PROBES: &[ProbeKernel] = &[
         ("record(4u, w, i, 10u)", |r| record(r, 4, 10)),
         ("record(2u, w, i, 2u)", |r| record(r, 2, 2)),
         ("record(2u, w, i, 3u)", |r| record(r, 2, 3)),
+        ("record(2u, w, i, 5u)", |r| record(r, 2, 5)),
         ("record(0u, w, i, 3u)", |r| record(r, 0, 3)),
         ("bounds(0u, w, i)", |r| bounds(r, 0)),
         ("bounds(1u, w, i)", |r| bounds(r, 1)),

@@ -488,7 +488,7 @@ pub(crate) fn covering() -> Scene {
         system(
             "puffs",
             "0, 0, 0",
-            400,
+            800,
             &format!(
                 "{over}size = {{ mean = 0.2, var = 0.19 }}\nshading = \"lit_sphere\"\nedge_softness = 0.6"
             ),

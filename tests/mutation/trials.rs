@@ -76,7 +76,7 @@ impl Trial {
             workgroup_size: self.cut.workgroup_size,
             page_bytes: self.page_bytes,
             // More rounds than one.
-            cover_slice: 1024,
+            cover_slice: 2048,
             // Whatever a changed kernel leaves behind, the others stay within their buffers.
             checked: true,
             ..GpuOptions::default()

@@ -161,6 +161,19 @@ fn r84_what_is_behind_the_camera_covers_nothing() {
 }
 
 #[test]
+fn r84_whether_particles_cover_holds_for_a_whole_run() {
+    use motes::plan::{Plan, Turn};
+    let with = |blend: &str| scene("", &[&format!("blend = \"{blend}\"")]);
+    let turn = |blend: &str| Turn {
+        frame: 3,
+        scene: with(blend),
+    };
+    assert!(Plan::with_turns(&with("over"), &[turn("over")], 9).is_ok());
+    let refused = Plan::with_turns(&with("add"), &[turn("over")], 9).expect_err("it is refused");
+    assert!(refused.help.contains("`blend`"), "{refused}");
+}
+
+#[test]
 fn r63_layers_that_cover_are_composed_to_the_whole() {
     use motes::output::Rgba8Image;
     let image = "layer = [{ name = \"behind\", point = [0, 0, 0], normal = [0, 0, 1] }]";
