@@ -8,12 +8,14 @@ use super::target::Target;
 use crate::backend::{Backend, BackendError};
 use crate::cpu::CpuBackend;
 use crate::gpu::{GpuBackend, GpuOptions, Load, STAGE_KERNELS, Traffic, stage_traffic, traffic};
-use crate::layout::FrameStats;
-use crate::plan::{FrameInputs, Plan, STAGES};
+use crate::layout::{COVERS_OF_BOIDS, COVERS_OF_PARTICLES, COVERS_SEEN, FrameStats};
+use crate::plan::{FrameInputs, Plan, STAGES, Stage};
 
 /// A run under measurement.
 pub(super) struct Lane {
     backend: Bound,
+    /// The plan's.
+    stages: Vec<Stage>,
 }
 
 enum Bound {
@@ -64,7 +66,11 @@ impl Lane {
                 Bound::Gpu(Box::new(GpuBackend::new(device, plan, &options)?))
             }
         };
-        Ok(Self { backend })
+        let stages = STAGES.iter().map(|info| info.stage);
+        Ok(Self {
+            backend,
+            stages: stages.filter(|stage| plan.has(*stage)).collect(),
+        })
     }
 
     pub(super) fn backend(&mut self) -> &mut dyn Backend {
@@ -100,10 +106,12 @@ impl Lane {
 
     /// Steps and draws a frame.
     pub(super) fn frame(&mut self, inputs: &FrameInputs) -> Result<FrameTimes, BackendError> {
+        let due = self.stages.iter().filter(|stage| stage.is_due(inputs));
+        let due: Vec<Stage> = due.copied().collect();
         match &mut self.backend {
-            Bound::Cpu(cpu) => by_stages(cpu.as_mut(), inputs),
+            Bound::Cpu(cpu) => by_stages(cpu.as_mut(), &due, inputs),
             Bound::Gpu(gpu) if gpu.is_timed() => by_timestamps(gpu, inputs),
-            Bound::Gpu(gpu) => by_kernels(gpu, inputs),
+            Bound::Gpu(gpu) => by_kernels(gpu, &due, inputs),
         }
     }
 
@@ -149,6 +157,14 @@ impl Lane {
             Bound::Cpu(_) => (0, 1),
             Bound::Gpu(gpu) => (gpu.large_particles()?, gpu.page_count().into()),
         };
+        let counted = if plan.uses.covers {
+            self.backend().read("cover_counts")?
+        } else {
+            Vec::new()
+        };
+        let count = |word: u32| counted.get(word as usize).copied().unwrap_or(0).into();
+        let families = counted.iter().skip(COVERS_OF_PARTICLES as usize);
+        let covers = families.map(|count| u64::from(*count)).sum();
         Ok(Load {
             live: stats.live.into(),
             total: u64::from(stats.live) + u64::from(stats.died),
@@ -158,6 +174,11 @@ impl Lane {
             large,
             systems: plan.system_count.into(),
             pages,
+            boids: plan.boid_count.into(),
+            cells: plan.cell_count.into(),
+            covers,
+            boid_covers: count(COVERS_OF_BOIDS),
+            seen_covers: count(COVERS_SEEN),
             uses: plan.uses,
         })
     }
@@ -174,11 +195,16 @@ impl Lane {
     }
 }
 
-fn by_stages(cpu: &mut CpuBackend, inputs: &FrameInputs) -> Result<FrameTimes, BackendError> {
+fn by_stages(
+    cpu: &mut CpuBackend,
+    stages: &[Stage],
+    inputs: &FrameInputs,
+) -> Result<FrameTimes, BackendError> {
     let frame = Instant::now();
-    let passes = STAGES.iter().map(|info| {
+    let passes = stages.iter().map(|stage| {
+        let info = stage.info();
         let begun = Instant::now();
-        cpu.run_stage(info.stage, inputs)?;
+        cpu.run_stage(*stage, inputs)?;
         Ok(PassTime {
             name: info.name,
             part: part_of(info.draws),
@@ -212,10 +238,16 @@ fn by_timestamps(gpu: &mut GpuBackend, inputs: &FrameInputs) -> Result<FrameTime
     Ok(FrameTimes { passes, wall_ms })
 }
 
-/// Where the device has no clock: every kernel is waited for.
-fn by_kernels(gpu: &mut GpuBackend, inputs: &FrameInputs) -> Result<FrameTimes, BackendError> {
+/// Where the device has no clock: every kernel is waited for; those that take turns, all with the
+/// last of them.
+fn by_kernels(
+    gpu: &mut GpuBackend,
+    stages: &[Stage],
+    inputs: &FrameInputs,
+) -> Result<FrameTimes, BackendError> {
     let frame = Instant::now();
-    let passes = STAGE_KERNELS.iter().map(|of| {
+    let all = STAGE_KERNELS.iter();
+    let passes = all.filter(|of| stages.contains(&of.stage)).map(|of| {
         let begun = Instant::now();
         gpu.run_kernel(of.kernel, inputs)?;
         Ok(PassTime {

@@ -221,7 +221,8 @@ fn warm_up(
             for (at, lane) in lanes.iter_mut().enumerate() {
                 let stats = lane.statistics()?;
                 if at == 0 {
-                    counts.extend(stats.iter().map(|line| line.live));
+                    let lives = |line: &FrameStats| line.live.saturating_add(plan.boid_count);
+                    counts.extend(stats.iter().map(lives));
                 }
             }
             if frame > 0 && is_steady(&counts) {
@@ -314,7 +315,9 @@ fn told(
     copy: &Copy,
     taken: Taken,
 ) -> Result<Run, BenchError> {
-    let counts: Vec<u32> = taken.stats.iter().map(|line| line.live).collect();
+    // Boids live all along.
+    let lives = |line: &FrameStats| line.live.saturating_add(plan.boid_count);
+    let counts: Vec<u32> = taken.stats.iter().map(lives).collect();
     let middle = |of: fn(&FrameStats) -> u32| {
         let mut all: Vec<f64> = taken.stats.iter().map(|line| of(line).into()).collect();
         all.sort_by(f64::total_cmp);
@@ -326,6 +329,7 @@ fn told(
         died: middle(|line| line.died),
         ..FrameStats::default()
     };
+    let live = lives(&typical);
     let load = lane.load(plan, &typical)?;
     let clock = lane.clock();
     let copied = Spread::new(taken.copy_ms, taken.copy_clock);
@@ -367,8 +371,8 @@ fn told(
     let walls = taken.frames.iter().map(|frame| frame.wall_ms);
     let mut run = Run {
         scene: job.scene.name.clone(),
-        particles: job.particles.unwrap_or(typical.live).into(),
-        live: Some(typical.live.into()),
+        particles: job.particles.unwrap_or(live).into(),
+        live: Some(live.into()),
         dropped: taken.stats.iter().map(|line| u64::from(line.dropped)).sum(),
         image_px: Some([plan.width, plan.height]),
         frames: taken.frames.len() as u32,

@@ -126,7 +126,8 @@ impl Memory {
                 "dispatches" => paging.dispatches() + 2 + 3 * tiling.rounds,
                 _ => 0,
             };
-            let records = declared.records(plan).unwrap_or_else(own);
+            // Kernels load the first record of some before they know whether there is any.
+            let records = declared.records(plan).unwrap_or_else(own).max(1);
             (
                 declared.name,
                 u64::from(records) * u64::from(declared.stride),

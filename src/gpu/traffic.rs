@@ -6,7 +6,8 @@
 //! parameters, a frame's inputs, counts) is not counted.
 
 use super::commands::STAGE_KERNELS;
-use crate::layout::{Dispatch, Particle, SystemFrame};
+use super::sort;
+use crate::layout::{Boid, Cover, Dispatch, Particle, SystemFrame};
 use crate::plan::{Stage, Uses};
 
 /// How much there is to do in a frame.
@@ -28,6 +29,16 @@ pub struct Load {
     pub systems: u64,
     /// Pages of a pool.
     pub pages: u64,
+    /// Boids of all flocks.
+    pub boids: u64,
+    /// Cells of their grids.
+    pub cells: u64,
+    /// Records of what covers, those of nothing included.
+    pub covers: u64,
+    /// Those of them that are of boids.
+    pub boid_covers: u64,
+    /// Those of them that are in sight.
+    pub seen_covers: u64,
     /// What the plan makes use of.
     pub uses: Uses,
 }
@@ -43,6 +54,16 @@ pub struct Traffic {
 
 /// Bytes a particle.
 const PARTICLE: u64 = size_of::<Particle>() as u64;
+
+/// Bytes a boid.
+const BOID: u64 = size_of::<Boid>() as u64;
+
+/// Bytes a record of what covers.
+const COVER: u64 = size_of::<Cover>() as u64;
+
+/// Passes of the sort, and values of a digit.
+const PASSES: u64 = sort::PASSES as u64;
+const DIGITS: u64 = sort::DIGITS as u64;
 
 /// Bytes of a word.
 const WORD: u64 = 4;
@@ -60,6 +81,35 @@ impl Load {
     fn sums(&self) -> (u64, u64) {
         let sums = self.words().div_ceil(64);
         (sums, sums.div_ceil(64))
+    }
+
+    /// Runs of 64 cells.
+    fn cell_runs(&self) -> u64 {
+        self.cells.div_ceil(64)
+    }
+
+    /// Cells with boids, at most.
+    fn full_cells(&self) -> u64 {
+        self.cells.min(self.boids)
+    }
+
+    /// Counts of digits in all passes of the sort.
+    fn digit_counts(&self) -> u64 {
+        PASSES * self.covers.div_ceil(sort::RUN.into()) * DIGITS
+    }
+
+    /// Words of bits, one a record in sight: each touches one tile at least.
+    fn tile_words(&self) -> u64 {
+        self.seen_covers.div_ceil(32)
+    }
+
+    /// Bytes of what covers, read or written once in every pixel.
+    fn covered(&self) -> u64 {
+        if self.uses.covers {
+            self.pixels * 4 * WORD
+        } else {
+            0
+        }
     }
 
     /// Bytes that splatted light takes: one limb is read and written where light falls.
@@ -116,6 +166,73 @@ static TABLE: &[Line] = &[
         let bits = load.words() * 2 * WORD;
         (load.total, load.live * 2 * PARTICLE + bits)
     }),
+    ("flock/hatch", |load| (load.boids, load.boids * BOID)),
+    ("flock/count_cells", |load| {
+        let each = BOID / 2 + WORD;
+        (load.boids, load.boids * each + load.full_cells() * 2 * WORD)
+    }),
+    ("flock/sum_cells", |load| {
+        (load.cells, (load.cells + load.cell_runs()) * WORD)
+    }),
+    ("flock/cell_offsets", |load| {
+        (load.cell_runs(), load.cell_runs() * 2 * WORD)
+    }),
+    ("flock/spread_cells", |load| {
+        (load.cells, (2 * load.cells + load.cell_runs()) * WORD)
+    }),
+    ("flock/cell_members", |load| {
+        let cells = load.full_cells() * 3 * WORD;
+        (load.boids, load.boids * 2 * WORD + cells)
+    }),
+    ("flock/cells", |load| {
+        let each = 2 * BOID + 2 * WORD;
+        (load.boids, load.boids * each + load.full_cells() * WORD)
+    }),
+    ("flock/steer", |load| {
+        (load.boids, load.boids * 2 * BOID + load.full_cells() * WORD)
+    }),
+    ("draw/shapes", |load| {
+        (load.live, load.live * (PARTICLE + COVER))
+    }),
+    ("draw/boid_shapes", |load| {
+        (load.boids, load.boids * BOID + load.boid_covers * COVER)
+    }),
+    ("draw/cover_work", |_| {
+        // Counts of families, their sum, what the sort and one round are dispatched by.
+        (1, 9 * WORD + 5 * size_of::<Dispatch>() as u64)
+    }),
+    ("draw/cover_keys", |load| {
+        // What it is and its depth become a key and a value.
+        (load.covers, load.covers * 4 * WORD)
+    }),
+    ("sort/count_digits", |load| {
+        let keys = PASSES * load.covers;
+        (keys, (keys + load.digit_counts()) * WORD)
+    }),
+    ("sort/sum_digits", |load| {
+        let counts = load.digit_counts();
+        (counts, (2 * counts + PASSES * DIGITS) * WORD)
+    }),
+    ("sort/start_digits", |_| {
+        (PASSES * DIGITS, PASSES * DIGITS * 2 * WORD)
+    }),
+    ("sort/place_digits", |load| {
+        let pairs = PASSES * load.covers;
+        let starts = load.digit_counts() + PASSES * DIGITS;
+        (pairs, (4 * pairs + starts) * WORD)
+    }),
+    ("draw/clear_tiles", |load| {
+        (load.tile_words(), load.tile_words() * 2 * WORD)
+    }),
+    ("draw/bin", |load| {
+        let each = 2 * WORD + 2 * COVER;
+        let bits = load.tile_words() * 2 * WORD;
+        (load.seen_covers, load.seen_covers * each + bits)
+    }),
+    ("draw/cover", |load| {
+        let records = load.seen_covers * COVER + load.tile_words() * WORD;
+        (load.pixels, load.covered() + records)
+    }),
     ("draw/clear_light", |load| {
         (load.pixels, load.pixels * 2 * LIMB)
     }),
@@ -130,7 +247,8 @@ static TABLE: &[Line] = &[
         (load.large, load.large * (PARTICLE + WORD))
     }),
     ("draw/resolve", |load| {
-        (load.pixels, load.pixels * (2 * LIMB + WORD))
+        let own = load.pixels * (2 * LIMB + WORD);
+        (load.pixels, own + load.covered())
     }),
 ];
 
