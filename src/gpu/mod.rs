@@ -139,7 +139,7 @@ impl GpuBackend {
         } else {
             KernelForm::Wgsl
         };
-        let wide = gpu.is_wide() && exact && !options.narrow;
+        let wide = gpu.is_wide() && !options.plain && !options.narrow;
         let memory = Memory::new(gpu, plan, most_page_bytes, wide)?;
         let is_run =
             |name: &&'static shader::sources::Source| wide || !WIDE_KERNELS.contains(&name.name);
