@@ -39,7 +39,7 @@ fn kernels_alone_have_the_work_that_they_say() {
             .note
             .as_deref()
             .unwrap_or_default();
-        assert!(pixels.contains("490.9 pixels each") && pixels.contains("ns a covered pixel"));
+        assert!(pixels.contains("490.6 pixels each") && pixels.contains("ns a covered pixel"));
         if let Target::Gpu(_) = target {
             assert_eq!(of(&measures, "scan").items, 3000);
             let fastest = measures
@@ -74,7 +74,7 @@ fn r88_what_streaks_cost_is_told_beside_the_rasteriser() {
         .as_deref()
         .unwrap_or_default();
     assert!(
-        streaks.contains("12 px long") && streaks.contains("30.2 pixels each"),
+        streaks.contains("12 px long") && streaks.contains("27.9 pixels each"),
         "{streaks}"
     );
 }
