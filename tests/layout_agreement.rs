@@ -430,6 +430,7 @@ const WITHOUT_A_STAGE: &[&str] = &[
     "bench/copy_runs",
     "bench/copy_strides",
     "bench/copy_vec4",
+    "bench/copy_wide",
     "bench/noise_lattice",
     "bench/noise_simplex",
     "bench/read_only",

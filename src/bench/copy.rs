@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::spread::{Clock, percentile};
 use super::target::Target;
 use crate::backend::BackendError;
-use crate::gpu::{Yardstick, YardstickMemory};
+use crate::gpu::{GpuDevice, Yardstick, YardstickMemory};
 use crate::layout::Particle;
 
 /// Most records of a copy beside a run of more: larger than any cache already.
@@ -18,10 +18,13 @@ pub(super) const MOST_BESIDE: u32 = 4_194_304;
 pub(super) type Form = (&'static str, &'static str, fn(u32) -> u32);
 
 /// Ways to copy with a kernel.
-pub(super) const FORMS: &[Form] = &[
+const FORMS: &[Form] = &[
     ("a record an invocation", "bench/copy", |records| records),
     ("four words an invocation", "bench/copy_vec4", |records| {
         2 * records
+    }),
+    ("four words of 64 bits an invocation", WIDE, |records| {
+        records
     }),
     ("runs of 16 records", "bench/copy_runs", |records| {
         records.div_ceil(16)
@@ -30,6 +33,17 @@ pub(super) const FORMS: &[Form] = &[
         records.div_ceil(4)
     }),
 ];
+
+/// The form for devices with 64-bit integers alone.
+const WIDE: &str = "bench/copy_wide";
+
+/// Ways that the device can copy.
+pub(super) fn forms(device: &GpuDevice) -> impl Iterator<Item = &'static Form> {
+    let wide = device.is_wide();
+    FORMS
+        .iter()
+        .filter(move |(_, kernel, _)| wide || *kernel != WIDE)
+}
 
 /// Workgroups to try.
 const WORKGROUPS: [u32; 3] = [64, 128, 256];
@@ -66,7 +80,7 @@ impl Copy {
             Target::Gpu(device) => {
                 let memory = YardstickMemory::new(device, records)?;
                 let mut best: Option<(f64, String, Yardstick)> = None;
-                for form in FORMS {
+                for form in forms(device) {
                     let (ms, workgroup_size, yardstick) = of_form(&memory, form)?;
                     if best.as_ref().is_none_or(|(least, ..)| ms < *least) {
                         let named = format!("{}, workgroups of {workgroup_size}", form.0);

@@ -108,8 +108,8 @@ impl GpuDevice {
     }
 
     /// Whether kernels may use 64-bit integers and their atomic addition.
-    pub(super) fn is_wide(&self) -> bool {
-        is_wide(&self.device)
+    pub fn is_wide(&self) -> bool {
+        self.is_exact() && is_wide(&self.device)
     }
 
     /// The device, to make textures and pipelines of the caller's own with.

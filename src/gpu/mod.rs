@@ -157,7 +157,7 @@ impl GpuBackend {
         } else {
             KernelForm::Wgsl
         };
-        let wide = gpu.is_wide() && exact && !options.narrow;
+        let wide = gpu.is_wide() && !options.plain && !options.narrow;
         let tiling = Tiling::new(plan, options);
         let memory = Memory::new(gpu, plan, most_page_bytes, wide, tiling)?;
         let is_run =

@@ -202,6 +202,7 @@ impl Yardstick {
 fn compiled(gpu: &GpuDevice, kernel: &str, workgroup_size: u32) -> Result<Kernel, BackendError> {
     let options = CompileOptions {
         workgroup_size,
+        wide: gpu.is_wide(),
         ..CompileOptions::default()
     };
     let compiled =

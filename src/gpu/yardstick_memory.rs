@@ -156,7 +156,7 @@ fn named(gpu: &GpuDevice, records: u32) -> Result<Vec<(&'static str, wgpu::Buffe
     let list = vec![
         storage("table", TABLE_WORDS),
         storage("alive_bits", records.div_ceil(32)),
-        storage("word_offsets", records.div_ceil(32)),
+        storage("word_ranks", 2 * records.div_ceil(32)),
         storage("sums_1", records.div_ceil(2048)),
         storage("sums_2", records.div_ceil(131_072)),
         storage("deaths", 4),

@@ -166,6 +166,17 @@ impl<'a> Reader<'a> {
         read(&Spot { path, field, node }).map(Some)
     }
 
+    /// A key that may be missing elsewhere is needed here.
+    pub(super) fn needs(mut self, key: &str) -> Self {
+        let fields = self.fields.to_mut().iter_mut();
+        for field in fields.filter(|field| field.key == key) {
+            if let Presence::Optional(example) = field.presence {
+                field.presence = Presence::Required(example);
+            }
+        }
+        self
+    }
+
     /// Whether the key is written.
     pub(super) fn has(&self, key: &str) -> bool {
         self.node.entry(key).is_some()

@@ -4,7 +4,7 @@
 // velocity += acceleration. Drag pulls the velocity toward that of the wind where the particle is.
 // One invocation a particle of the source page; a particle is written by the dispatch of the one
 // target page that its place falls in.
-// Reads: frame, system_frames, counts, alive_bits, word_offsets, particles, winds.
+// Reads: frame, system_frames, counts, word_ranks, particles, winds.
 // Writes: survivors.
 // Invariant: survivors keep their order, so the pool is always sorted by birth frame, system and
 // index.

@@ -1,8 +1,8 @@
 // spread_bits: for each word of 32 particles, how many survivors stand before it.
 //
 // Last step of the prefix sum over the survivors. Reads: counts, alive_bits, sums_1.
-// Writes: word_offsets.
-// Invariant: word_offsets[w] is the number of survivors before particle 32 w.
+// Writes: word_ranks.
+// Invariant: word_ranks[w] is the number of survivors before particle 32 w, and the bits of the word.
 
 #import motes::dispatch::linear_index
 #import motes::layout::Counts

@@ -2,7 +2,7 @@
 
 use super::Entry;
 use crate::backend::BackendError;
-use crate::bench::copy::{FORMS, of_form, timed};
+use crate::bench::copy::{forms, of_form, timed};
 use crate::bench::splats::{SHAPES, SIZE_PX};
 use crate::gpu::{self, GpuDevice, RasterShape, RasterTarget, Yardstick, YardstickMemory};
 use std::rc::Rc;
@@ -77,7 +77,7 @@ pub(super) fn entries(device: &GpuDevice, records: u32) -> Result<Vec<Entry>, Ba
     let count = u64::from(records);
     let copied = Yardstick::copy_buffer(&memory)?;
     let mut entries = vec![entry(&memory, "copy_buffer", 64 * count, copied)];
-    for form in FORMS {
+    for form in forms(device) {
         let (_, size, yardstick) = of_form(&memory, form)?;
         let name = form.1.replace("bench/", "");
         let name = format!("form_{name}");

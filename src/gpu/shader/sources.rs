@@ -91,13 +91,14 @@ pub static KERNELS: &[Source] = sources![
     "digest/digest",
 ];
 
-/// Kernels that only devices with 64-bit atomics run.
-pub static WIDE_KERNELS: &[&str] = &["draw/unpack"];
+/// Kernels that only devices with 64-bit integers run.
+pub static WIDE_KERNELS: &[&str] = &["draw/unpack", "bench/copy_wide"];
 
 /// Kernels of no frame: what others are measured against.
 pub static YARDSTICKS: &[Source] = sources![
     "bench/copy",
     "bench/copy_vec4",
+    "bench/copy_wide",
     "bench/copy_runs",
     "bench/copy_strides",
     "bench/read_only",

@@ -60,6 +60,11 @@ impl Draft {
 
 fn scene(root: &Node, name: &str, files: &Files) -> Result<Scene, SceneError> {
     let table = Reader::new(String::new(), SCENE, root)?;
+    let table = if table.has("flock") {
+        table
+    } else {
+        table.needs("system")
+    };
     let mut scene = Scene {
         name: name.to_owned(),
         title: table.may("title", text)?.unwrap_or_else(|| name.to_owned()),
