@@ -159,7 +159,7 @@ fn only_what_is_required_must_be_written() {
         }
     }
     let error = refused("title = \"x\"\n");
-    assert_eq!(error.message(), "`camera` is missing");
+    assert_eq!(error.message(), "`camera` and `system` are missing");
     assert_eq!((error.line(), error.column()), (Some(1), Some(1)));
 }
 
