@@ -3,7 +3,7 @@
 // Reeves 1983, 2.5: red, green and blue are clamped at the frame buffer's maximum.
 // Byte = floor(clamp(v) 255 + 0.5) of the light times the exposure, plus the background.
 // One invocation four pixels, so that loads and stores are of four words; buffers are padded to
-// whole fours, and what is past the picture's end is written as 0, for the digest. Reads: frame, light_low, light_high. Writes: image
+// whole fours, and what is past the picture's end is written as 0, for the digest. Reads: frame, light_low, light_high, light_packed. Writes: image
 // (RGBA, red in the low byte, rows from the top).
 // Invariant: each pixel depends on its own sums alone.
 
