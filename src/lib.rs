@@ -18,7 +18,7 @@
 //! outside. Two backends run a plan: [`gpu`] expands each stage into WGSL kernels
 //! ([`gpu::STAGE_KERNELS`]), [`cpu`] runs their twins with rayon; both are a
 //! [`backend::Backend`]. [`simulation`] is the front door of the library, [`cli`] that of the
-//! program, [`check`] holds two backends against each other, [`bench`] says what they cost. A [`recording`] is the list of changes
+//! program, [`check`] holds two backends against each other, [`bench`](mod@bench) says what they cost. A [`recording`] is the list of changes
 //! made while a scene ran, a [`simulation::Snapshot`] its whole state, which goes on with the same bits
 //! on any exact adapter. [`output`] writes files, each whole or not at all; JSON is written by one
 //! private module. That a stopped render goes on is the program's doing: it keeps a journal of finished

@@ -225,6 +225,11 @@ fn frame_difference(
     if draws {
         digests.1 = gpu.image_digest()?;
     }
+    if draws && digests == told.digests {
+        // Whoever reads light has it unpacked first: drawn in one go, it is packed until the end.
+        gpu.draw(&told.inputs)?;
+        digests.1 = gpu.image_digest()?;
+    }
     if digests != told.digests {
         return Ok(Some(format!(
             "digests {digests:x?} instead of {:x?}",

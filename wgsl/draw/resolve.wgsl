@@ -4,8 +4,9 @@
 // Byte = floor(clamp(v) 255 + 0.5) of the light times the exposure, plus the background; where
 // something covers, plus its colour times the exposure and what shows of the background.
 // One invocation four pixels, so that loads and stores are of four words; buffers are padded to
-// whole fours, and what is past the picture's end is written as 0, for the digest. Reads: frame, light_low, light_high,
-// cover_rg, cover_bt. Writes: image (RGBA, red in the low byte, rows from the top).
+// whole fours, and what is past the picture's end is written as 0, for the digest.
+// Reads: frame, light_low, light_high, light_packed, cover_rg, cover_bt. Writes: image (RGBA, red
+// in the low byte, rows from the top).
 // Invariant: each pixel depends on its own sums alone.
 
 #import motes::dispatch::linear_index

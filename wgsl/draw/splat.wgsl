@@ -3,8 +3,8 @@
 // Reeves 1983, 2.5: each particle is a point light source, nothing hides anything, and the light
 // added depends on colour and transparency, not on distance; motes::footprint says where it falls.
 // One invocation a particle of one page; what covers many pixels is left to splat_large.
-// Reads: frame, system_frames, rows, counts, particles. Writes: light_low, light_high (atomic
-// adds; a carry goes from low to high), large_particles (count, then indices from word 2).
+// Reads: frame, system_frames, rows, counts, particles, layer_planes. Writes, by atomic adds: light_low,
+// light_high, where WIDE light_packed before them; large_particles (count, then indices from word 2).
 // Invariant: the image does not depend on the order of particles.
 
 #import motes::dispatch::linear_index

@@ -2,7 +2,7 @@
 //
 // What splat does, for those that it has left in large_particles. 256 invocations share a particle
 // of one page, each taking every 256th row of pixels, so that no invocation's loops get long.
-// Reads: frame, system_frames, rows, large_particles, particles. Writes: light_low, light_high.
+// Reads: frame, system_frames, rows, large_particles, particles. Writes: light as splat does.
 // Invariant: as splat's: the image does not depend on the order of particles.
 
 #import motes::dispatch::linear_index
