@@ -13,7 +13,7 @@
     FEW_CELLS, Footprint, PI, SMALL_DISC, SMALL_SIDE, SQUARE, footprint_of, is_visible, minor_range,
     square_weight_at, weight_at,
 }
-#import motes::layout::{Counts, Frame, Particle, ROW_OVER, SystemFrame, SystemRow}
+#import motes::layout::{Counts, Frame, Particle, Planet, ROW_OVER, SystemFrame, SystemRow}
 #import motes::light::steps_of
 #import motes::packed::{channels_of, left_over, packed}
 #import motes::particle::{age_of, row_index, slot_of}
@@ -33,8 +33,13 @@ const COVERS: bool = #{COVERS};
 // Whether the picture has layers.
 const LAYERS: bool = #{LAYERS};
 
+// Whether a planet splits the picture.
+const PLANET: bool = #{PLANET};
+
+// Which particles: those before the planet's outline or, if `is_behind` is 1, those behind it.
 struct Pages {
     page: u32,
+    is_behind: u32,
 }
 var<immediate> pages: Pages;
 
@@ -47,8 +52,9 @@ var<immediate> pages: Pages;
 @group(0) @binding(6) var<storage, read_write> light_high: array<atomic<u32>>;
 @group(0) @binding(7) var<storage, read_write> large_particles: array<atomic<u32>>;
 @group(0) @binding(8) var<storage, read> layer_planes: array<vec4<f32>>;
+@group(0) @binding(9) var<storage, read> planets: array<Planet>;
 #if WIDE == true
-@group(0) @binding(9) var<storage, read_write> light_packed: array<atomic<u64>>;
+@group(0) @binding(10) var<storage, read_write> light_packed: array<atomic<u64>>;
 #endif
 
 // What is the same for all invocations where there is only one of it.
@@ -173,6 +179,12 @@ fn layer_of(world: vec3<f32>) -> u32 {
     return select(layer, frame.layer_plane_count + 1u, layer == 0u);
 }
 
+// Whether a world place is beyond the plane of the planet's outline.
+fn is_beyond(world: vec3<f32>) -> bool {
+    let outline = planets[0].outline;
+    return less(dot3(outline.xyz, world), outline.w);
+}
+
 fn leave_to_splat_large(at: u32) {
     let place = atomicAdd(&large_particles[0], 1u);
     atomicStore(&large_particles[2u + place], at);
@@ -200,6 +212,9 @@ fn splat(@builtin(global_invocation_id) global_id: vec3<u32>) {
         return;
     }
     if LAYERS && frame.layer != 0u && layer_of(sprite.world) != frame.layer {
+        return;
+    }
+    if PLANET && is_beyond(sprite.world) != (pages.is_behind == 1u) {
         return;
     }
     let shape = footprint_of(
