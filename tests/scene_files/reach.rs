@@ -1,11 +1,11 @@
 //! What right scenes are read as: every key in its place, and what holds where it is not written.
 
 use motes::scene::{
-    BirthMoment, BirthRounding, BirthUnit, Births, Blend, BoidShape, Burst, Camera, Changing, ChildUp,
-    Corners, Dimensions, Edges, EjectionAxis, EjectionSpread, Extinction, Flock, GenerationShape,
-    Image, Inherit, Integration, Intensity, Lamp, Layer, Light, ParticleShape, ParticleSpace, Planet, Projection,
-    Relation, RelationKind, Rule, Scene, Shading, ShutterWeighting, Side, Spread, StreakLight,
-    System, Turbulence, Wind,
+    BirthMoment, BirthRounding, BirthUnit, Births, Blend, BoidShape, Burst, Camera, Changing,
+    ChildUp, Corners, Dimensions, Edges, EjectionAxis, EjectionSpread, Extinction, Flock,
+    GenerationShape, Image, Inherit, Integration, Intensity, Lamp, Layer, Light, ParticleShape,
+    ParticleSpace, Planet, Projection, Relation, RelationKind, Rule, Scene, Shading,
+    ShutterWeighting, Side, Spread, StreakLight, System, Turbulence, Wind,
 };
 
 use crate::text::{FULL, MINIMAL, accepted};

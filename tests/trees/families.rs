@@ -8,7 +8,9 @@ use crate::support::{CHILD, PARENT, Run, dot, family, length, origin, particles,
 
 /// Three levels: clouds bear clusters, which bear puffs, which bear particles.
 fn three_levels() -> Scene {
-    let clouds = PARENT.replace("\"parent\"", "\"clouds\"").replace("parts = 3", "parts = 1");
+    let clouds = PARENT
+        .replace("\"parent\"", "\"clouds\"")
+        .replace("parts = 3", "parts = 1");
     let cluster = "name = \"cluster\"
         parent = \"clouds\"
         end_frame = 6
@@ -21,7 +23,9 @@ fn three_levels() -> Scene {
         size = 1
         [system.inherit]
         color = { mean = [0.1, 0.1, 0.1] }";
-    let puff = CHILD.replace("\"child\"", "\"puff\"").replace("\"parent\"", "\"cluster\"");
+    let puff = CHILD
+        .replace("\"child\"", "\"puff\"")
+        .replace("\"parent\"", "\"cluster\"");
     scene(&[&clouds, cluster, &puff])
 }
 
@@ -41,7 +45,9 @@ fn r42_a_tree_of_three_levels_has_the_children_that_its_systems_bear() {
         live = live + counts.born - counts.died;
         assert_eq!(counts.live, live);
         let borne = run.borne();
-        let alive = borne.iter().filter(|(node, ..)| node.spans[0] == NODE_LIVES);
+        let alive = borne
+            .iter()
+            .filter(|(node, ..)| node.spans[0] == NODE_LIVES);
         assert_eq!(alive.count() as u32, live);
         // Four particles from each puff that lives, none from clusters and clouds.
         let puffs = borne
@@ -85,7 +91,10 @@ fn r43_what_turns_a_parent_turns_all_of_its_descendants() {
         let [x, y, z] = a.position;
         let expected = [x, -z, y];
         for (axis, expected) in expected.into_iter().enumerate() {
-            assert!((b.position[axis] - expected).abs() < 1e-5 * 10.0, "{a:?} {b:?}");
+            assert!(
+                (b.position[axis] - expected).abs() < 1e-5 * 10.0,
+                "{a:?} {b:?}"
+            );
         }
         assert_eq!(a.id, b.id);
     }
@@ -93,12 +102,16 @@ fn r43_what_turns_a_parent_turns_all_of_its_descendants() {
 
 #[test]
 fn r44_childrens_colours_are_chosen_within_the_range() {
-    let scene = many_children(
-        "color = { mean = [0.2, 0.05, 0.01], var = [0.1, 0.02, 0.005] }",
-    );
+    let scene = many_children("color = { mean = [0.2, 0.05, 0.01], var = [0.1, 0.02, 0.005] }");
     let rows = rows_of(&scene);
-    for (channel, (mean, half)) in [(0.4, 0.2), (0.1, 0.05), (0.02, 0.01)].into_iter().enumerate() {
-        let means: Vec<f64> = rows.iter().map(|row| f64::from(row.color_mean[channel])).collect();
+    for (channel, (mean, half)) in [(0.4, 0.2), (0.1, 0.05), (0.02, 0.01)]
+        .into_iter()
+        .enumerate()
+    {
+        let means: Vec<f64> = rows
+            .iter()
+            .map(|row| f64::from(row.color_mean[channel]))
+            .collect();
         assert_uniform("means", &means, mean - half, mean + half);
     }
     // Half-widths, too: what is below 0 is 0.
@@ -145,9 +158,10 @@ fn r44_a_childs_children_have_what_it_has() {
 
 #[test]
 fn r45_as_many_systems_are_born_as_the_parents_rate_says() {
-    let parent = PARENT
-        .replace("parts = 3", "parts = 6")
-        .replace("birth_rounding = \"nearest\"", "var_parts = 4\ndelta_mean_parts = 0.5");
+    let parent = PARENT.replace("parts = 3", "parts = 6").replace(
+        "birth_rounding = \"nearest\"",
+        "var_parts = 4\ndelta_mean_parts = 0.5",
+    );
     let mut run = Run::new(&scene(&[&parent, CHILD]));
     let mut sum = 0.0;
     let mut seen = std::collections::BTreeSet::new();
@@ -172,28 +186,89 @@ fn r46_every_parameter_can_differ_from_child_to_child() {
         let base = of(&alike[0]);
         assert!(alike.iter().all(|row| of(row) == base), "{inherit}");
         let values: Vec<f32> = rows.iter().map(of).collect();
-        let (low, high) = values
-            .iter()
-            .fold((f32::MAX, f32::MIN), |(low, high), x| (low.min(*x), high.max(*x)));
-        assert!(high <= base + half * 1.0001 && low >= (base - half * 1.0001).max(least), "{inherit}: {low} {high}");
-        assert!(high > base + half * 0.8, "{inherit}: {high} of {base} and {half}");
+        let (low, high) = values.iter().fold((f32::MAX, f32::MIN), |(low, high), x| {
+            (low.min(*x), high.max(*x))
+        });
+        assert!(
+            high <= base + half * 1.0001 && low >= (base - half * 1.0001).max(least),
+            "{inherit}: {low} {high}"
+        );
+        assert!(
+            high > base + half * 0.8,
+            "{inherit}: {high} of {base} and {half}"
+        );
     };
     let floor = f32::MIN;
     key("generation_scale = 0.5", &|row| row.shape[0], 0.25, 0.0);
-    key("ejection_angle_degrees = 36", &|row| row.ejection_and_light[1], 0.1, 0.0);
-    key("speed = { mean = 0.1 }", &|row| row.speed_and_lifetime[0], 0.1, floor);
-    key("speed = { mean = 0, var = 0.04 }", &|row| row.speed_and_lifetime[1], 0.04, 0.0);
+    key(
+        "ejection_angle_degrees = 36",
+        &|row| row.ejection_and_light[1],
+        0.1,
+        0.0,
+    );
+    key(
+        "speed = { mean = 0.1 }",
+        &|row| row.speed_and_lifetime[0],
+        0.1,
+        floor,
+    );
+    key(
+        "speed = { mean = 0, var = 0.04 }",
+        &|row| row.speed_and_lifetime[1],
+        0.04,
+        0.0,
+    );
     key("lifetime = 3", &|row| row.speed_and_lifetime[2], 3.0, floor);
-    key("lifetime = { mean = 0, var = 1 }", &|row| row.speed_and_lifetime[3], 1.0, 0.0);
+    key(
+        "lifetime = { mean = 0, var = 1 }",
+        &|row| row.speed_and_lifetime[3],
+        1.0,
+        0.0,
+    );
     key("size = 0.02", &|row| row.size_and_threshold[0], 0.02, 0.0);
-    key("size = { mean = 0, var = 0.01 }", &|row| row.size_and_threshold[1], 0.01, 0.0);
-    key("size = { mean = 0, rate = 0.01 }", &|row| row.size_and_threshold[2], 0.01, floor);
-    key("size = { mean = 0, rate_var = 0.01 }", &|row| row.ejection_and_light[3], 0.01, 0.0);
-    key("color = { mean = [0, 0, 0.01] }", &|row| row.color_mean[2], 0.01, 0.0);
-    key("color = { mean = [0, 0, 0], rate = [0.1, 0, 0] }", &|row| row.color_rate[0], 0.1, floor);
-    key("color = { mean = [0, 0, 0], rate_var = [0, 0.1, 0] }", &|row| row.color_rate_var[1], 0.1, 0.0);
+    key(
+        "size = { mean = 0, var = 0.01 }",
+        &|row| row.size_and_threshold[1],
+        0.01,
+        0.0,
+    );
+    key(
+        "size = { mean = 0, rate = 0.01 }",
+        &|row| row.size_and_threshold[2],
+        0.01,
+        floor,
+    );
+    key(
+        "size = { mean = 0, rate_var = 0.01 }",
+        &|row| row.ejection_and_light[3],
+        0.01,
+        0.0,
+    );
+    key(
+        "color = { mean = [0, 0, 0.01] }",
+        &|row| row.color_mean[2],
+        0.01,
+        0.0,
+    );
+    key(
+        "color = { mean = [0, 0, 0], rate = [0.1, 0, 0] }",
+        &|row| row.color_rate[0],
+        0.1,
+        floor,
+    );
+    key(
+        "color = { mean = [0, 0, 0], rate_var = [0, 0.1, 0] }",
+        &|row| row.color_rate_var[1],
+        0.1,
+        0.0,
+    );
     key("transparency = 0.3", &|row| row.color_mean[3], 0.3, 0.0);
-    key("transparency = { mean = 0, rate = 0.1 }", &|row| row.color_rate[3], 0.1, floor);
+    key(
+        "transparency = { mean = 0, rate = 0.1 }",
+        &|row| row.color_rate[3],
+        0.1,
+        floor,
+    );
     // Births: the mean and the half-width.
     let mut run = Run::new(&many_children("mean_parts = 2\nvar_parts = 1"));
     (0..10).for_each(|_| run.step());
@@ -208,7 +283,10 @@ fn r46_every_parameter_can_differ_from_child_to_child() {
 #[test]
 fn r47_a_parents_drift_moves_all_of_its_children_alike() {
     let still = family("", "");
-    let moving = family("position = { keys = [[0, [0, 0, 0]], [30, [30, 15, 0]]] }", "");
+    let moving = family(
+        "position = { keys = [[0, [0, 0, 0]], [30, [30, 15, 0]]] }",
+        "",
+    );
     let (a, b) = (particles(&still, 20), particles(&moving, 20));
     assert_eq!(a.len(), b.len());
     for (a, b) in a.iter().zip(&b) {
@@ -242,13 +320,18 @@ fn r54_taller_explosions_are_those_that_start_faster() {
     }
     let (low, high) = pairs
         .iter()
-        .fold((f64::MAX, 0.0f64), |(low, high), (_, apex)| (low.min(*apex), high.max(*apex)));
+        .fold((f64::MAX, 0.0f64), |(low, high), (_, apex)| {
+            (low.min(*apex), high.max(*apex))
+        });
     assert!(high > 4.0 * low, "apexes from {low} to {high}");
 }
 
 #[test]
 fn r42_children_leave_as_their_parents_particles_would() {
-    let scene = family("acceleration = [0, 0.01, 0]\nejection_angle_degrees = 30", "");
+    let scene = family(
+        "acceleration = [0, 0.01, 0]\nejection_angle_degrees = 30",
+        "",
+    );
     let mut run = Run::new(&scene);
     run.step();
     let first = run.newborn();

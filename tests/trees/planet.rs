@@ -47,11 +47,21 @@ fn r63_a_particle_behind_the_disc_is_hidden_and_one_past_the_limb_is_seen() {
         light(&scene(&point, planet))
     };
     // The outline's plane is at z = 100 / 30, its circle has a radius of 9.43.
-    for place in [[0.0, 0.0, -12.0], [4.0, 3.0, -20.0], [9.0, 0.0, 3.0], [0.0, -9.8, 0.0]] {
+    for place in [
+        [0.0, 0.0, -12.0],
+        [4.0, 3.0, -20.0],
+        [9.0, 0.0, 3.0],
+        [0.0, -9.8, 0.0],
+    ] {
         assert!(at(place, "") > 200, "{place:?} can be seen");
         assert_eq!(at(place, PLANET), 0, "{place:?} is hidden");
     }
-    for place in [[0.0, 0.0, 10.5], [9.0, 1.0, 4.6], [0.0, 13.0, -2.0], [-14.0, 0.0, -5.0]] {
+    for place in [
+        [0.0, 0.0, 10.5],
+        [9.0, 1.0, 4.6],
+        [0.0, 13.0, -2.0],
+        [-14.0, 0.0, -5.0],
+    ] {
         assert_eq!(at(place, PLANET), at(place, ""), "{place:?}");
     }
 }
@@ -66,7 +76,7 @@ fn r63_a_hundred_thousand_particles_are_on_the_side_of_the_plane_that_they_are_o
     with.systems[0].color.initial.mean = [0.02; 3];
     let inputs = |scene: &Scene| {
         let plan = motes::plan::Plan::new(scene, 1).expect("it can be planned");
-        plan.inputs(0).planets[0].outline.map(f64::from)
+        plan.inputs(0).frame.planet_outline.map(f64::from)
     };
     let [nx, ny, nz, distance] = inputs(&with);
     let mut run = simulation(&with);
@@ -90,7 +100,9 @@ fn r63_a_hundred_thousand_particles_are_on_the_side_of_the_plane_that_they_are_o
     let pixel = |x: usize, y: usize| y * 200 + x;
     // At the centre what is behind is lost; in the corner nothing is.
     let sum = |picture: &[u8], range: std::ops::Range<usize>| -> u32 {
-        let rows = range.clone().flat_map(|y| range.clone().map(move |x| pixel(x, y)));
+        let rows = range
+            .clone()
+            .flat_map(|y| range.clone().map(move |x| pixel(x, y)));
         rows.map(|at| u32::from(picture[at])).sum()
     };
     assert_eq!(sum(&picture, 0..20), sum(&plain, 0..20));
@@ -100,7 +112,8 @@ fn r63_a_hundred_thousand_particles_are_on_the_side_of_the_plane_that_they_are_o
 
 #[test]
 fn r63_the_outline_is_where_lines_from_the_eye_touch() {
-    let away = "position = [0, 500, 0]\nsize = 0.1\ngeneration_shape = { kind = \"sphere\", radius = 0 }";
+    let away =
+        "position = [0, 500, 0]\nsize = 0.1\ngeneration_shape = { kind = \"sphere\", radius = 0 }";
     let planet = "planet = { radius = 10, color = [1, 1, 1] }
         light = { direction = [0, 0, 1], color = [0, 0, 0], ambient = [1, 1, 1] }";
     let picture = picture(&scene(away, planet));
@@ -110,13 +123,17 @@ fn r63_the_outline_is_where_lines_from_the_eye_touch() {
     let expected = std::f64::consts::PI * radius * radius;
     assert!((area / expected - 1.0).abs() < 2e-3, "{area} of {expected}");
     // Its edge is smooth: some pixels are neither black nor white, and few.
-    let between = picture.iter().filter(|red| !matches!(**red, 0 | 255)).count() as f64;
+    let between = picture
+        .iter()
+        .filter(|red| !matches!(**red, 0 | 255))
+        .count() as f64;
     assert!((1.0..10.0 * radius).contains(&between), "{between}");
 }
 
 #[test]
 fn r64_a_lamp_above_the_rings_makes_the_ground_glow_there() {
-    let away = "position = [0, 500, 0]\nsize = 0.1\ngeneration_shape = { kind = \"sphere\", radius = 0 }";
+    let away =
+        "position = [0, 500, 0]\nsize = 0.1\ngeneration_shape = { kind = \"sphere\", radius = 0 }";
     let lamp = "lamp = [{ position = [0, 0, 13], color = [1, 0.5, 0.2], distance = 3 }]";
     let lit = picture(&scene(away, &format!("{PLANET}\n{lamp}")));
     let dark = picture(&scene(away, PLANET));

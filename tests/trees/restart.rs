@@ -12,7 +12,11 @@ fn ra12_systems_are_born_again_where_a_run_is_entered() {
     let mut whole = simulation(&scene);
     whole.seek_from(0, 55).expect("it steps");
     let digests = |simulation: &mut Simulation| {
-        let of = |population| simulation.population_digest(population).expect("it digests");
+        let of = |population| {
+            simulation
+                .population_digest(population)
+                .expect("it digests")
+        };
         [Population::Particles, Population::Systems].map(of)
     };
     let expected = digests(&mut whole);
@@ -39,7 +43,10 @@ fn ra12_a_snapshot_stands_for_the_systems_before_it() {
     let scene = family("", "");
     let mut whole = simulation(&scene);
     whole.seek_from(0, 30).expect("it steps");
-    let snapshot = whole.snapshot().expect("it can be read").expect("it has begun");
+    let snapshot = whole
+        .snapshot()
+        .expect("it can be read")
+        .expect("it has begun");
     whole.seek(50).expect("it steps");
     let expected = whole.state_digest().expect("it digests");
     let mut later = simulation(&scene);

@@ -91,7 +91,11 @@ fn r50_systems_begin_when_the_wall_reaches_them() {
         let [x, y, z] = origin(&system);
         let rho = RADIUS * (x * x + y * y).sqrt().atan2(z);
         let begun = 3.0 + rho / WALL_SPEED;
-        assert!((begun - f64::from(node.who[1])).abs() < 1e-3, "{begun} {:?}", node.who);
+        assert!(
+            (begun - f64::from(node.who[1])).abs() < 1e-3,
+            "{begun} {:?}",
+            node.who
+        );
     }
 }
 
@@ -121,7 +125,10 @@ fn r51_particles_leave_a_circle_within_a_cone_about_the_normal() {
     (0..40).for_each(|_| run.step());
     let borne = run.borne();
     let mut seen = 0;
-    for particle in particles(&scene, 39).iter().filter(|particle| particle.age == 0) {
+    for particle in particles(&scene, 39)
+        .iter()
+        .filter(|particle| particle.age == 0)
+    {
         // Slots from 2 on, in order, none of them free.
         let (_, system, _) = &borne[particle.system as usize - 2];
         let (place, normal) = (origin(system), up(system));
@@ -129,7 +136,10 @@ fn r51_particles_leave_a_circle_within_a_cone_about_the_normal() {
         let velocity = particle.velocity.map(f64::from);
         let first = [0, 1, 2].map(|i| velocity[i] + 0.005 * normal[i]);
         let born = [0, 1, 2].map(|i| f64::from(particle.position[i]) - first[i] - place[i]);
-        assert!(length(born) <= 0.4001 && dot(born, normal).abs() < 1e-4, "{born:?}");
+        assert!(
+            length(born) <= 0.4001 && dot(born, normal).abs() < 1e-4,
+            "{born:?}"
+        );
         let cosine = dot(first, normal) / length(first);
         assert!(cosine >= 25f64.to_radians().cos() - 1e-3, "{cosine}");
         seen += 1;
@@ -140,7 +150,10 @@ fn r51_particles_leave_a_circle_within_a_cone_about_the_normal() {
 #[test]
 fn r53_nearer_explosions_bear_more() {
     let of = |distance: f32| {
-        let mut scene = wall("", "initial_mean_parts_per_area = 0.5\nbirth_rounding = \"nearest\"");
+        let mut scene = wall(
+            "",
+            "initial_mean_parts_per_area = 0.5\nbirth_rounding = \"nearest\"",
+        );
         scene.image.width = 640;
         scene.image.height = 360;
         scene.camera.position = [0.0, 0.0, 10.0 + distance];

@@ -13,7 +13,7 @@
     FEW_CELLS, Footprint, PI, SMALL_DISC, SMALL_SIDE, SQUARE, footprint_of, is_visible, minor_range,
     square_weight_at, weight_at,
 }
-#import motes::layout::{Counts, Frame, Particle, Planet, ROW_OVER, SystemFrame, SystemRow}
+#import motes::layout::{Counts, Frame, Particle, ROW_OVER, SystemFrame, SystemRow}
 #import motes::light::steps_of
 #import motes::packed::{channels_of, left_over, packed}
 #import motes::particle::{age_of, row_index, slot_of}
@@ -52,9 +52,8 @@ var<immediate> pages: Pages;
 @group(0) @binding(6) var<storage, read_write> light_high: array<atomic<u32>>;
 @group(0) @binding(7) var<storage, read_write> large_particles: array<atomic<u32>>;
 @group(0) @binding(8) var<storage, read> layer_planes: array<vec4<f32>>;
-@group(0) @binding(9) var<storage, read> planets: array<Planet>;
 #if WIDE == true
-@group(0) @binding(10) var<storage, read_write> light_packed: array<atomic<u64>>;
+@group(0) @binding(9) var<storage, read_write> light_packed: array<atomic<u64>>;
 #endif
 
 // What is the same for all invocations where there is only one of it.
@@ -181,8 +180,7 @@ fn layer_of(world: vec3<f32>) -> u32 {
 
 // Whether a world place is beyond the plane of the planet's outline.
 fn is_beyond(world: vec3<f32>) -> bool {
-    let outline = planets[0].outline;
-    return less(dot3(outline.xyz, world), outline.w);
+    return less(dot3(frame.planet_outline.xyz, world), frame.planet_outline.w);
 }
 
 fn leave_to_splat_large(at: u32) {
