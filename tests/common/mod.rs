@@ -9,6 +9,7 @@ mod flocks;
 mod probes;
 mod scenes;
 pub(crate) mod statistics;
+mod trees;
 mod windy;
 mod work;
 
@@ -25,6 +26,7 @@ pub(crate) use edges::*;
 pub(crate) use flocks::*;
 pub(crate) use probes::*;
 pub(crate) use scenes::*;
+pub(crate) use trees::*;
 pub(crate) use windy::*;
 pub(crate) use work::*;
 
