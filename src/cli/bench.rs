@@ -6,11 +6,13 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::collisions::{self, Input, Output};
 use super::interrupt::Interrupt;
+use super::names::SceneName;
 use super::{CliError, note, print};
 use crate::bench::{self, BenchError, Budget, Progress, Request, Target};
 use crate::output::write_whole;
-use crate::scene::{self, Scene};
+use crate::scene::{Loader, Scene};
 use crate::simulation::AdapterChoice;
 
 /// What is measured where nobody says what.
@@ -23,7 +25,7 @@ const TOLD_EVERY: Duration = Duration::from_millis(100);
 #[derive(Debug, clap::Args)]
 pub(super) struct BenchArgs {
     /// TOML files, or names of built-in scenes [default: million; none with --micro]
-    #[arg(value_name = "SCENE")]
+    #[arg(value_name = "SCENE", value_parser = SceneName, hide_possible_values = true)]
     scenes: Vec<String>,
     /// Measure kernels alone: copies, reads, atomics, noise, scan, splats, the rasteriser
     #[arg(long)]
@@ -48,6 +50,9 @@ pub(super) struct BenchArgs {
         default_value = "auto"
     )]
     adapter: String,
+    /// Let scenes read files outside of their folders
+    #[arg(long)]
+    allow_outside: bool,
     /// Write the record as JSON; an array of them for several adapters
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -89,7 +94,6 @@ fn parse_seconds(text: &str) -> Result<f64, String> {
 }
 
 pub(super) fn run(args: &BenchArgs) -> Result<u8, CliError> {
-    places(args)?;
     let request = request(args)?;
     let targets = targets(&args.adapter)?;
     let interrupt = Interrupt::listen()?;
@@ -125,29 +129,16 @@ pub(super) fn run(args: &BenchArgs) -> Result<u8, CliError> {
 }
 
 /// Refuses reports that cannot be written, before hours are spent on them.
-fn places(args: &BenchArgs) -> Result<(), CliError> {
-    let reports = [
+fn places(args: &BenchArgs, inputs: &[Input]) -> Result<(), CliError> {
+    let outputs = Output::given([
         ("--json", &args.json),
         ("--csv", &args.csv),
         ("--html", &args.html),
-    ];
-    let given = reports
-        .iter()
-        .filter_map(|(name, path)| Some((*name, path.as_ref()?)));
-    let given: Vec<_> = given.collect();
-    for (at, (name, path)) in given.iter().enumerate() {
-        super::refuse_folder(name, path)?;
-        if let Some((other, _)) = given[..at].iter().find(|(_, other)| other == path) {
-            return Err(CliError::usage(
-                format!(
-                    "{other} and {name} would be written to the same file: {}",
-                    path.display()
-                ),
-                "give each a path of its own",
-            ));
-        }
+    ]);
+    for output in &outputs {
+        super::refuse_folder(output.what(), output.path())?;
     }
-    Ok(())
+    collisions::refuse(&outputs, inputs)
 }
 
 /// Reads and checks everything before the first frame.
@@ -157,9 +148,14 @@ fn request(args: &BenchArgs) -> Result<Request, CliError> {
     } else {
         args.scenes.clone()
     };
-    let mut scenes: Vec<Scene> = Vec::new();
+    let loader = Loader {
+        allow_outside: args.allow_outside,
+    };
+    let (mut scenes, mut inputs): (Vec<Scene>, _) = (Vec::new(), Vec::new());
     for name in &asked {
-        let scene = scene::load(name)?;
+        let draft = loader.draft(name, &[])?;
+        let scene = draft.scene()?;
+        inputs.extend(draft.files());
         if scenes.iter().any(|other| other.name == scene.name) {
             return Err(CliError::usage(
                 format!("two scenes are called `{}`", scene.name),
@@ -168,6 +164,8 @@ fn request(args: &BenchArgs) -> Result<Request, CliError> {
         }
         scenes.push(scene);
     }
+    places(args, &inputs)?;
+    super::tell_notes(&scenes);
     let mut particles = args.particles.clone();
     particles.sort_unstable();
     particles.dedup();

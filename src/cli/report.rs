@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::collisions::{self, Input, Output};
 use super::{CliError, print, refuse_folder};
 use crate::bench::{self, Record};
 use crate::output::write_whole;
@@ -21,17 +22,13 @@ pub(super) struct ReportArgs {
 }
 
 pub(super) fn run(args: &ReportArgs) -> Result<u8, CliError> {
-    for (argument, path) in [("--html", &args.html), ("--csv", &args.csv)] {
-        if let Some(path) = path {
-            refuse_folder(argument, path)?;
-        }
+    let outputs = Output::given([("--html", &args.html), ("--csv", &args.csv)]);
+    for output in &outputs {
+        refuse_folder(output.what(), output.path())?;
     }
-    if args.html.is_some() && args.html == args.csv {
-        return Err(CliError::usage(
-            "--html and --csv would be written to the same file",
-            "give each a path of its own",
-        ));
-    }
+    let inputs = args.records.iter();
+    let inputs: Vec<Input> = inputs.map(|path| ("a record", path.clone())).collect();
+    collisions::refuse(&outputs, &inputs)?;
     let mut records: Vec<Record> = Vec::new();
     for path in &args.records {
         records.extend(bench::read_records(path)?);

@@ -18,6 +18,7 @@ mod flock;
 mod generation;
 mod knobs;
 mod load;
+mod meshes;
 mod parse;
 mod picture;
 mod read;
@@ -43,6 +44,7 @@ pub use flock::{BoidShape, Corners, Dimensions, Edges, Flock, Relation, Relation
 pub use generation::{Attractor, EjectionAxis, EjectionSpread, GenerationShape};
 pub use knobs::{Knob, KnobValue};
 pub use load::{Loader, knobs, load, load_with, parse};
+pub(crate) use parse::Draft;
 pub use picture::{Camera, Image, Layer, Light, Projection, ShutterWeighting};
 pub(crate) use set::Set;
 pub use system::{

@@ -4,6 +4,7 @@ mod flock;
 mod system;
 mod wind;
 
+use std::path::PathBuf;
 use std::rc::Rc;
 
 use self::flock::flocks;
@@ -50,6 +51,12 @@ impl Draft {
     /// Changes a value.
     pub(crate) fn set(&mut self, set: &Set) -> Result<(), SceneError> {
         set::apply(&mut self.root, set)
+    }
+
+    /// Every file that was opened for it up to now, with what it is to the scene: its own, meshes,
+    /// and their buffers.
+    pub(crate) fn files(&self) -> Vec<(&'static str, PathBuf)> {
+        self.files.opened()
     }
 
     /// The scene that it is now, checked.
