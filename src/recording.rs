@@ -103,7 +103,8 @@ impl Recording {
     fn parse_from(first_line: usize, text: &str, file: &str) -> Result<Self, RecordingError> {
         let mut changes: Vec<Change> = Vec::new();
         for (number, line) in (first_line..).zip(text.lines()) {
-            let line = line.trim();
+            // Some editors begin a text with a byte order mark.
+            let line = line.trim_start_matches('\u{feff}').trim();
             if line.is_empty() || line.starts_with('#') {
                 continue;
             }

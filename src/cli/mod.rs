@@ -116,7 +116,7 @@ impl From<SceneError> for CliError {
     fn from(error: SceneError) -> Self {
         Self {
             message: error.to_string(),
-            code: 2,
+            code: if error.is_users_fault() { 2 } else { 3 },
         }
     }
 }

@@ -15,6 +15,8 @@ pub struct MeshError {
     pub within: Option<String>,
     /// What would be right.
     pub help: String,
+    /// Whether memory is out, so that the file may be right.
+    pub(crate) is_out_of_memory: bool,
 }
 
 impl MeshError {
@@ -26,6 +28,7 @@ impl MeshError {
             column: None,
             within: None,
             help: help.into(),
+            is_out_of_memory: false,
         }
     }
 
@@ -73,7 +76,10 @@ impl MeshError {
     /// No memory is left for `count` of these.
     pub(crate) fn no_memory(count: u64, of_what: &str) -> Self {
         let what = format!("there is no memory for {count} {of_what}");
-        Self::new(what, "a smaller mesh, or a machine with more memory")
+        Self {
+            is_out_of_memory: true,
+            ..Self::new(what, "a smaller mesh, or a machine with more memory")
+        }
     }
 
     pub(super) fn unknown_ending() -> Self {

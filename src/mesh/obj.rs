@@ -59,15 +59,21 @@ pub(super) fn read(bytes: &[u8]) -> Result<Builder, MeshError> {
     let mut corners = Vec::new();
     let mut lines = Lines::new(bytes);
     while lines.next()? {
-        let text = String::from_utf8_lossy(&lines.joined);
+        let whole = String::from_utf8_lossy(&lines.joined);
+        // A line that only goes on leaves space before the rest.
+        let text = whole.trim();
         let (word, rest) = match text.split_once(|c: char| c.is_whitespace()) {
             Some((word, rest)) => (word, rest.trim()),
-            None => (&*text, ""),
+            None => (text, ""),
         };
         let here = |fault: Fault| {
             // Both are parts of the same text.
-            let start = fault.word.as_ptr().addr().checked_sub(text.as_ptr().addr());
-            let start = start.filter(|start| *start < text.len());
+            let start = fault
+                .word
+                .as_ptr()
+                .addr()
+                .checked_sub(whole.as_ptr().addr());
+            let start = start.filter(|start| *start < whole.len());
             lines.place(fault.error, start)
         };
         match word {

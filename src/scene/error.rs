@@ -24,6 +24,7 @@ struct Parts {
     help: String,
     /// What else there is to know; mostly nothing.
     note: String,
+    is_users_fault: bool,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -50,7 +51,14 @@ impl SceneError {
             place: None,
             help: printable(&help.into()),
             note: String::new(),
+            is_users_fault: true,
         }))
+    }
+
+    /// The same where the machine is at fault.
+    pub(super) fn of_the_machine(mut self) -> Self {
+        self.0.is_users_fault = false;
+        self
     }
 
     /// The same with something else to know.
@@ -82,6 +90,13 @@ impl SceneError {
     #[must_use]
     pub fn message(&self) -> &str {
         &self.0.what
+    }
+
+    /// Whether another scene, or another file of it, would help; else the machine has too little
+    /// memory.
+    #[must_use]
+    pub fn is_users_fault(&self) -> bool {
+        self.0.is_users_fault
     }
 
     /// What would be right.
@@ -121,6 +136,7 @@ impl fmt::Display for SceneError {
             place,
             help,
             note,
+            is_users_fault: _,
         } = &*self.0;
         write!(out, "error: {what}")?;
         let gutter = place.as_ref().map_or(2, Place::gutter);

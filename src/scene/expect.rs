@@ -153,7 +153,7 @@ pub(super) fn range(min: f64, max: f64) -> String {
 pub(super) fn keys_in_words(fields: &[Field]) -> String {
     match fields.len() {
         0..=MOST_KEYS => format!("the keys {}", keys(fields)),
-        count => format!("{count} keys, which `motes schema --markdown` lists"),
+        _ => "keys that `motes schema --markdown` lists".to_owned(),
     }
 }
 

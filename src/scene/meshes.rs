@@ -109,6 +109,7 @@ impl Files {
             column,
             within,
             help,
+            is_out_of_memory,
         } = error;
         let text = line.and_then(|line| bytes.split(|byte| *byte == b'\n').nth(line - 1));
         let text = text.filter(|text| text.len() <= MOST_LINE);
@@ -117,7 +118,11 @@ impl Files {
             let within = within.map_or(String::new(), |place| format!("{place}: "));
             let name = shortened(name);
             let what = format!("`{}`: {name}{line}: {within}{what}", spot.path);
-            return spot.node.at.error(what, help);
+            let error = spot.node.at.error(what, help);
+            return match is_out_of_memory {
+                true => error.of_the_machine(),
+                false => error,
+            };
         };
         if line == 1 {
             text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);

@@ -52,7 +52,7 @@ impl<'a> Reader<'a> {
                 outer if outer.is_empty() => did_you_mean_one_of(key, keys()),
                 outer => outer,
             };
-            let help = format!("{guess}There are {} here", keys_in_words(&fields));
+            let help = format!("{guess}The table has {}", keys_in_words(&fields));
             let key = shortened(key);
             return Err(at.error(format!("there is no key `{key}` {place}"), help));
         }

@@ -328,7 +328,7 @@ fn tables_refuse_what_is_no_table() {
         (
             "system = [1]\n".to_owned() + &MINIMAL[..system],
             "`system.0` must be",
-            "name, position",
+            "`motes schema --markdown`",
         ),
         (
             "[system]\n".to_owned() + &MINIMAL[..system],

@@ -38,7 +38,8 @@ pub(super) fn refuse(
         if let Some((_, file)) = series.at(&input) {
             return Err(written_over(&file, what));
         }
-        if series.folder == input {
+        let is_folder = matches!(target, OutputTarget::Folder(_));
+        if is_folder && series.folder == input {
             return Err(written_over(&target.path(), what));
         }
         if journal

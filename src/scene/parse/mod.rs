@@ -36,6 +36,8 @@ impl Draft {
         name: &str,
         files: Files,
     ) -> Result<Self, SceneError> {
+        // Some editors begin a text with a byte order mark.
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let source = Rc::new(Source {
             file: file.to_owned(),
             text: text.to_owned(),
