@@ -43,7 +43,7 @@ const MOST_LETTERS: usize = 400;
 const MOST_MS: f64 = 1e12;
 
 /// Bytes of a file at most; a record has some ten thousand.
-const MOST_BYTES: u64 = 64 << 20;
+const MOST_BYTES: u64 = 32 << 20;
 
 const HELP: &str = "give a file that `motes bench --json FILE` wrote";
 

@@ -212,11 +212,11 @@ fn records_without_an_end_are_not_waited_for() {
     all_are_refused(&[
         Row::new(
             &["report", "/dev/zero"],
-            &["larger than 64 MiB", "--> /dev/zero"],
+            &["larger than 32 MiB", "--> /dev/zero"],
         ),
         Row::new(
             &["compare", "/dev/zero", "/dev/zero"],
-            &["larger than 64 MiB"],
+            &["larger than 32 MiB"],
         ),
     ]);
 }
