@@ -21,6 +21,8 @@ shared_constants! {
     const UPRIGHT: f32 = 0.003_906_25;
     /// What lies farther from the picture's corner counts as there.
     const FARTHEST: f32 = 1_048_576.0;
+    /// A distance is wrong by less than this part of the largest number that it is made of.
+    const ROUNDING: f32 = 0.000_003_814_697_3;
 }
 
 /// A pixel on the way from near to far: light that is seen, and how much of the rest shows through.
@@ -63,27 +65,26 @@ pub fn far_to_near(cover: &Cover) -> u32 {
 }
 
 /// First pixel and one past the last, across and down, that it may cover in a picture of that size.
+/// Distances that are rounded may fall short, by less than the margin.
 #[inline]
 pub fn bounds_of(cover: &Cover, width: u32, height: u32) -> [i32; 4] {
     let [ax, ay, bx, by] = cover.points.map(f32::from_bits);
     let [u, v] = [cover.shape[0], cover.shape[1]].map(f32::from_bits);
-    let (low, high) = match cover.shape[2] {
-        COVER_SEGMENT => (
-            [min_exact(ax, bx) - u, min_exact(ay, by) - u],
-            [max_exact(ax, bx) + u, max_exact(ay, by) + u],
-        ),
-        COVER_TRIANGLE => (
-            [
-                min_exact(min_exact(ax, bx), u),
-                min_exact(min_exact(ay, by), v),
-            ],
-            [
-                max_exact(max_exact(ax, bx), u),
-                max_exact(max_exact(ay, by), v),
-            ],
-        ),
-        _ => ([ax - u, ay - u], [ax + u, ay + u]),
-    };
+    let is_segment = cover.shape[2] == COVER_SEGMENT;
+    let (end_x, end_y) = if is_segment { (bx, by) } else { (ax, ay) };
+    let largest = max_exact(
+        max_exact(ax.abs(), ay.abs()),
+        max_exact(max_exact(end_x.abs(), end_y.abs()), u),
+    );
+    let reach = u + largest * ROUNDING;
+    let mut low = [min_exact(ax, end_x) - reach, min_exact(ay, end_y) - reach];
+    let mut high = [max_exact(ax, end_x) + reach, max_exact(ay, end_y) + reach];
+    if cover.shape[2] == COVER_TRIANGLE {
+        low[0] = min_exact(min_exact(ax, bx), u);
+        low[1] = min_exact(min_exact(ay, by), v);
+        high[0] = max_exact(max_exact(ax, bx), u);
+        high[1] = max_exact(max_exact(ay, by), v);
+    }
     let pixel = |x: f32| to_i32(clamp_exact(x, -FARTHEST, FARTHEST));
     [
         pixel(low[0]).max(0),
