@@ -74,7 +74,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Builder, MeshError> {
                 .addr()
                 .checked_sub(whole.as_ptr().addr());
             let start = start.filter(|start| *start < whole.len());
-            lines.place(fault.error, start)
+            lines.place(*fault.error, start)
         };
         match word {
             "v" => {
@@ -104,7 +104,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Builder, MeshError> {
                 let what = format!("`{shown}` begins no line of an OBJ file");
                 let help = "lines of `v X Y Z`, then of `f A B C` with numbers of vertices";
                 let error = MeshError::new(what, help);
-                return Err(here(Fault { error, word }));
+                return Err(here(Fault::of(error, word)));
             }
         }
     }
@@ -113,13 +113,20 @@ pub(super) fn read(bytes: &[u8]) -> Result<Builder, MeshError> {
 
 /// What is wrong, and the word that is; empty if it is none in particular.
 struct Fault<'a> {
-    error: MeshError,
+    error: Box<MeshError>,
     word: &'a str,
+}
+
+impl<'a> Fault<'a> {
+    fn of(error: MeshError, word: &'a str) -> Self {
+        let error = Box::new(error);
+        Self { error, word }
+    }
 }
 
 impl From<MeshError> for Fault<'_> {
     fn from(error: MeshError) -> Self {
-        Self { error, word: "" }
+        Self::of(error, "")
     }
 }
 
@@ -204,9 +211,8 @@ fn line_of(rest: &[u8], begins: bool) -> Option<(&[u8], bool, &[u8])> {
 fn place(rest: &str) -> Result<[f32; 3], Fault<'_>> {
     let mut numbers = rest.split_whitespace();
     let mut next = || {
-        let refuse = |what: String, word| Fault {
-            error: MeshError::new(what, "`v X Y Z` with three numbers"),
-            word,
+        let refuse = |what: String, word| {
+            Fault::of(MeshError::new(what, "`v X Y Z` with three numbers"), word)
         };
         let word = numbers.next();
         let word =
@@ -232,7 +238,7 @@ fn face<'a>(rest: &'a str, count: usize, corners: &mut Vec<u32>) -> Result<(), F
             let what = format!("`{shown}` is no corner of a face");
             let help = "numbers of vertices, as in `f 1 2 3` or `f 1/1/1 2/2/1 3/3/1`";
             let error = MeshError::new(what, help);
-            return Err(Fault { error, word });
+            return Err(Fault::of(error, word));
         };
         let at = match number {
             1.. => number - 1,
@@ -248,7 +254,7 @@ fn face<'a>(rest: &'a str, count: usize, corners: &mut Vec<u32>) -> Result<(), F
                 _ => format!("a number from 1 to {count}, or from -{count} to -1"),
             };
             let error = MeshError::new(what, help);
-            return Err(Fault { error, word });
+            return Err(Fault::of(error, word));
         }
         corners.push(at as u32);
     }

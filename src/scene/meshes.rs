@@ -146,6 +146,9 @@ impl Files {
         let file = self.shown(name);
         let what = format!("`{}`: {what}", spot.path);
         let error = SceneError::located(what, (&file, &text, Some(line)), marked, help);
-        error.noted(format!("{} names this mesh", spot.node.at.shown()))
+        error.noted(match spot.node.at.shown().as_str() {
+            "command line" => "the command line names this mesh".to_owned(),
+            place => format!("{place} names this mesh"),
+        })
     }
 }
