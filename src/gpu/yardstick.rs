@@ -28,12 +28,14 @@ pub struct Timed {
 pub struct Yardstick {
     name: &'static str,
     gpu: GpuDevice,
+    /// Copied before each run, untimed where the device has a clock.
+    before: Vec<(wgpu::Buffer, wgpu::Buffer)>,
     work: Work,
     timer: Option<Timer>,
 }
 
 #[derive(Debug)]
-enum Work {
+pub(super) enum Work {
     Dispatches(Vec<Ready>),
     /// From, to, bytes.
     Copies(Vec<(wgpu::Buffer, wgpu::Buffer, u64)>),
@@ -42,7 +44,7 @@ enum Work {
 
 /// A dispatch, ready to encode.
 #[derive(Debug)]
-struct Ready {
+pub(super) struct Ready {
     pipeline: wgpu::ComputePipeline,
     group: wgpu::BindGroup,
     immediates: Vec<u32>,
@@ -79,7 +81,8 @@ impl Yardstick {
             let compiled = compiled(gpu, kernel, workgroup_size)?;
             let dispatches = memory.pages.iter().map(|page| {
                 let work = (invocations(page.records), workgroup_size);
-                ready(memory, &compiled, Some(page), &[page.records], work)
+                let named = |name: &str| memory.named(name, Some(page));
+                ready(gpu, &compiled, &named, &[page.records], work)
             });
             let work = Work::Dispatches(dispatches.collect::<Result<_, _>>()?);
             Ok(Self::new(gpu, name, work))
@@ -97,7 +100,8 @@ impl Yardstick {
                 let compiled = compiled(gpu, kernel, workgroup_size)?;
                 let size = compiled.compiled.workgroup_size[0];
                 let work = (invocations(memory.records), size);
-                ready(memory, &compiled, None, &[], work)
+                let named = |name: &str| memory.named(name, None);
+                ready(gpu, &compiled, &named, &[], work)
             });
             let work = Work::Dispatches(dispatches.collect::<Result<_, _>>()?);
             Ok(Self::new(gpu, "scan", work))
@@ -125,12 +129,18 @@ impl Yardstick {
         Self::new(gpu, name, Work::Raster(raster))
     }
 
-    fn new(gpu: &GpuDevice, name: &'static str, work: Work) -> Self {
+    /// The same, with copies from the first to the second of each before every run.
+    pub(super) fn after(self, before: Vec<(wgpu::Buffer, wgpu::Buffer)>) -> Self {
+        Self { before, ..self }
+    }
+
+    pub(super) fn new(gpu: &GpuDevice, name: &'static str, work: Work) -> Self {
         let timer = Timer::new(gpu)
             .filter(|timer| !matches!(work, Work::Copies(_)) || timer.times_between_passes());
         Self {
             name,
             gpu: gpu.clone(),
+            before: Vec::new(),
             work,
             timer,
         }
@@ -148,6 +158,9 @@ impl Yardstick {
     fn timed(&mut self) -> Result<Timed, BackendError> {
         let begun = Instant::now();
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+        for (from, to) in &self.before {
+            encoder.copy_buffer_to_buffer(from, 0, to, 0, from.size());
+        }
         let mut timed = self.timer.as_mut().map(Timer::frame);
         match &self.work {
             Work::Dispatches(dispatches) => {
@@ -188,7 +201,7 @@ impl Yardstick {
         self.gpu.wait()?;
         let wall_ms = begun.elapsed().as_secs_f64() * 1e3;
         let times = match &mut self.timer {
-            Some(timer) => timer.take(&self.gpu)?,
+            Some(timer) => timer.take()?,
             None => Vec::new(),
         };
         let by_device = times.iter().flatten().next();
@@ -199,7 +212,11 @@ impl Yardstick {
     }
 }
 
-fn compiled(gpu: &GpuDevice, kernel: &str, workgroup_size: u32) -> Result<Kernel, BackendError> {
+pub(super) fn compiled(
+    gpu: &GpuDevice,
+    kernel: &str,
+    workgroup_size: u32,
+) -> Result<Kernel, BackendError> {
     let options = CompileOptions {
         workgroup_size,
         wide: gpu.is_wide(),
@@ -215,17 +232,17 @@ fn compiled(gpu: &GpuDevice, kernel: &str, workgroup_size: u32) -> Result<Kernel
     Ok(Kernel::unchecked_bindings(gpu, &compiled, form, false))
 }
 
-/// The dispatch of a kernel whose bindings are found in `memory` by their names.
-fn ready(
-    memory: &YardstickMemory,
+/// The dispatch of a kernel whose bindings are found by their names.
+pub(super) fn ready<'a>(
+    gpu: &GpuDevice,
     kernel: &Kernel,
-    page: Option<&Page>,
+    named: &dyn Fn(&str) -> Option<&'a wgpu::Buffer>,
     immediates: &[u32],
     (invocations, workgroup_size): (u32, u32),
 ) -> Result<Ready, BackendError> {
     let name = &kernel.compiled.name;
     let entries = kernel.compiled.bindings.iter().map(|binding| {
-        let buffer = memory.named(&binding.name, page).ok_or_else(|| {
+        let buffer = named(&binding.name).ok_or_else(|| {
             BackendError::Unsupported(format!("no buffer `{}` for `{name}` alone", binding.name))
         })?;
         Ok(wgpu::BindGroupEntry {
@@ -234,8 +251,7 @@ fn ready(
         })
     });
     let entries: Vec<_> = entries.collect::<Result<_, BackendError>>()?;
-    let device = &memory.gpu.device;
-    let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+    let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: Some(name),
         layout: &kernel.layout,
         entries: &entries,
