@@ -101,7 +101,7 @@ pub(super) fn micro_in(
     };
     let mut entries = match target {
         Target::Cpu => {
-            let copy = copy_entry(Fastest::of(target)?.copy(particles)?);
+            let copy = copy_entry(Fastest::of(target, particles)?.copy(particles)?);
             std::iter::once(copy)
                 .chain(cpu::entries(particles)?)
                 .collect()

@@ -100,8 +100,8 @@ impl Interface {
 impl Yard {
     /// Finds the fastest form and sets the copies up.
     pub(super) fn new(target: &Target) -> Result<Self, BackendError> {
-        let fastest = Fastest::of(target)?;
-        let far = fastest.copy(FAR)?;
+        let far = Fastest::of(target, FAR)?.copy(FAR)?;
+        let fastest = Fastest::of(target, NEAR)?;
         let near = fastest.copy(NEAR)?;
         let dispatch = match target {
             Target::Gpu(_) => Some(fastest.copy(1)?),

@@ -1,6 +1,6 @@
 //! Comparisons tell what is so, and no more.
 
-use motes::bench::{Comparison, Kind, Record, Verdict, compare};
+use motes::bench::{Comparison, Kind, Record, Spread, Verdict, compare};
 
 use crate::synthetic::{LLVMPIPE, Model};
 
@@ -26,9 +26,17 @@ fn slowed(factor: f64) -> Model {
     }
 }
 
+/// Six runs a side, no two quite alike.
 #[test]
 fn five_percent_are_found_and_named() {
-    let comparison = one(&records(LLVMPIPE, 1..2), &records(slowed(1.05), 2..3));
+    let model = |model| Model {
+        drift: 0.004,
+        ..model
+    };
+    let comparison = one(
+        &records(model(LLVMPIPE), 1..7),
+        &records(model(slowed(1.05)), 11..17),
+    );
     let most = comparison.slowed_most().expect("something slowed");
     assert_eq!(
         (most.name.as_str(), most.kind),
@@ -42,9 +50,77 @@ fn five_percent_are_found_and_named() {
     assert_eq!(at_million.verdict(), Verdict::Slower);
     assert!((change.ratio - 1.05).abs() < 0.015, "{change:?}");
     assert!(change.low < 1.05 && 1.05 < change.high, "{change:?}");
-    assert!(change.high - change.low < 0.04, "{change:?}");
+    assert!(change.high - change.low < 0.08, "{change:?}");
     let words = at_million.words();
     assert!(words.starts_with("slower by "), "{words}");
+}
+
+/// One run a side cannot show five percent, and does not say that it does; a third it can.
+#[test]
+fn lone_records_tell_what_is_large_and_say_what_they_cannot() {
+    let lone = |factor| one(&records(LLVMPIPE, 1..2), &records(slowed(factor), 2..3));
+    let comparison = lone(1.05);
+    assert!(comparison.slowed_most().is_none());
+    let text = comparison.text(None);
+    let first = text.find("one record a side").expect("it is said");
+    assert!(first < text.find("million at").expect("a table"), "{text}");
+    assert!(text.contains("cannot tell (within 1"), "{text}");
+    assert!(text.contains("hardly one is called slower"), "{text}");
+    let comparison = lone(1.33);
+    let most = comparison.slowed_most().expect("something slowed");
+    assert_eq!(most.name, "particles/advance");
+    let change = most.change.expect("there are samples");
+    assert!(change.low > 1.15 && change.low < 1.25, "{change:?}");
+}
+
+/// Times of a machine that goes at two paces, 1.6 apart, the slower from some frame on.
+fn two_paced(seed: u64, slow_from: usize) -> Vec<Record> {
+    let mut records = records(LLVMPIPE, seed..seed + 1);
+    for run in &mut records[0].runs {
+        let slow = |ms: &mut Spread| {
+            let times = ms.samples.iter().enumerate();
+            let times = times.map(|(at, ms)| if at >= slow_from { ms * 1.6 } else { *ms });
+            *ms = Spread::new(times.collect(), ms.clock);
+        };
+        run.passes.iter_mut().for_each(|pass| slow(&mut pass.ms));
+        [&mut run.frame_ms, &mut run.step_ms, &mut run.draw_ms].map(slow);
+    }
+    records
+}
+
+#[test]
+fn a_machine_of_two_paces_deceives_nobody() {
+    // 61 frames: the medians are of different groups.
+    let (old, new) = (two_paced(1, 45), two_paced(2, 15));
+    let comparison = one(&old, &new);
+    let told = comparison
+        .compared
+        .iter()
+        .filter(|it| it.kind != Kind::Micro);
+    for compared in told {
+        assert_eq!(compared.verdict(), Verdict::Unclear, "{}", compared.words());
+        let change = compared.change.expect("there are samples");
+        assert!(change.low < 1.0 && change.high > 1.6, "{change:?}");
+    }
+    let text = comparison.text(Some(5.0));
+    let warned = text.find("fall into two groups").expect("it is said");
+    assert!(warned < text.find("million at").expect("a table"), "{text}");
+    assert!(text.contains("4 of 4 runs"), "{text}");
+}
+
+/// The copy beside the frames tells that the machine was another.
+#[test]
+fn what_the_copy_shows_is_allowed_for() {
+    let old = records(LLVMPIPE, 1..2);
+    let slower = |factor: f64| {
+        let mut new = records(slowed(1.4), 2..3);
+        for run in &mut new[0].runs {
+            run.copy_kernel_gb_per_s = Some(8.72 / factor);
+        }
+        one(&old, &new).slowed_most().map(|it| it.name.clone())
+    };
+    assert_eq!(slower(1.0).as_deref(), Some("particles/advance"));
+    assert_eq!(slower(1.5), None);
 }
 
 /// Both directions, and the middle, at several sizes of difference: the interval holds the truth.
@@ -126,11 +202,9 @@ fn equal_builds_are_seldom_told_apart() {
             "{alarms} of 100 with {records_a_side} records a side"
         );
     }
-    let deceived = false_alarms(drifting, 1, 50);
-    assert!(
-        deceived > 10,
-        "{deceived} of 50: the drift is to deceive single records"
-    );
+    // One record a side does not show the drift, which is allowed for.
+    let deceived = false_alarms(drifting, 1, 100);
+    assert!(deceived <= 4, "{deceived} of 100 one by one");
 }
 
 #[test]
@@ -175,7 +249,7 @@ fn outliers_sway_nothing() {
     }
     let slower = Model {
         delayed: 0.15,
-        ..slowed(1.08)
+        ..slowed(1.18)
     };
     let comparison = one(&records(disturbed, 3..4), &records(slower, 4..5));
     assert_eq!(
