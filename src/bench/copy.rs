@@ -47,10 +47,13 @@ pub(super) fn forms(device: &GpuDevice) -> impl Iterator<Item = &'static Form> {
 }
 
 /// Workgroups to try.
-pub(super) const WORKGROUPS: [u32; 3] = [64, 128, 256];
+const WORKGROUPS: [u32; 3] = [64, 128, 256];
 
 /// Timed runs of each form before one is taken.
 const TRIALS: usize = 5;
+
+/// Rounds over all forms and workgroup sizes before one is taken.
+const ROUNDS: usize = 7;
 
 /// A copy that can be run again and again.
 pub(super) struct Copy {
@@ -83,23 +86,31 @@ pub(super) enum Fastest<'a> {
 }
 
 impl<'a> Fastest<'a> {
-    /// The fastest of all for so many records: first the forms, then workgroup sizes of the best.
+    /// The fastest of all forms and workgroup sizes for so many records: each is tried in turn, and again,
+    /// so that a machine that changes its pace does so for all alike.
     pub(super) fn of(target: &'a Target, records: u32) -> Result<Self, BackendError> {
         let Target::Gpu(device) = target else {
             return Ok(Self::Cpu);
         };
         let memory = YardstickMemory::new(device, records.min(TRIAL_RECORDS))?;
-        let mut best: Option<(f64, &'static Form)> = None;
+        let mut tried = Vec::new();
         for form in forms(device) {
-            let (ms, ..) = of_form(&memory, form, &WORKGROUPS[2..])?;
-            if best.is_none_or(|(least, _)| ms < least) {
-                best = Some((ms, form));
+            for size in WORKGROUPS {
+                let mut copy = Yardstick::kernel(&memory, "copy_kernel", form.1, size, form.2)?;
+                // The first run compiles.
+                copy.run()?;
+                tried.push((f64::INFINITY, form, size, copy));
+            }
+        }
+        for _ in 0..ROUNDS {
+            for (least, _, _, copy) in &mut tried {
+                *least = copy.run()?.ms.min(*least);
             }
         }
         let none = || BackendError::Internal("no form of the copy".into());
-        let (_, form) = best.ok_or_else(none)?;
-        let (_, workgroup_size, _) = of_form(&memory, form, &WORKGROUPS)?;
-        Ok(Self::Gpu(device, form, workgroup_size))
+        let best = tried.iter().min_by(|a, b| a.0.total_cmp(&b.0));
+        let (_, form, size, _) = best.ok_or_else(none)?;
+        Ok(Self::Gpu(device, form, *size))
     }
 
     /// A copy of so many records.
@@ -139,6 +150,18 @@ impl<'a> Fastest<'a> {
 }
 
 impl Copy {
+    /// So many of it in a run, pass after pass on a device; a run's time is that of one.
+    pub(super) fn repeated(self, passes: u32) -> Self {
+        let work = match self.work {
+            Work::Gpu(both) => {
+                let (copy, memory) = *both;
+                Work::Gpu(Box::new((copy.repeated(passes), memory)))
+            }
+            cpu => cpu,
+        };
+        Self { work, ..self }
+    }
+
     /// What it copies from and to, on a device.
     pub(super) fn memory(&self) -> Option<&YardstickMemory> {
         match &self.work {
@@ -177,14 +200,13 @@ pub(super) fn timed(yardstick: &mut Yardstick) -> Result<(f64, Clock), BackendEr
     Ok((timed.ms, clock))
 }
 
-/// The fastest of these workgroup sizes for this form.
+/// The fastest workgroup size for this form.
 pub(super) fn of_form(
     memory: &YardstickMemory,
     (_, kernel, invocations): &Form,
-    workgroups: &[u32],
 ) -> Result<(f64, u32, Yardstick), BackendError> {
     let mut best: Option<(f64, u32, Yardstick)> = None;
-    for &size in workgroups {
+    for size in WORKGROUPS {
         let mut yardstick = Yardstick::kernel(memory, "copy_kernel", kernel, size, invocations)?;
         // The first run compiles.
         yardstick.run()?;

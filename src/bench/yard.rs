@@ -27,6 +27,9 @@ const BOTH_WAYS: u64 = 64;
 /// The copies are measured again while they have had less than this part of the frames' time.
 const PART_OF_TIME: f64 = 0.5;
 
+/// Idle dispatches of a submission, as a frame has them: the first of a submission costs more.
+const IN_A_ROW: u32 = 16;
+
 /// Times that each is measured at least.
 const LEAST: usize = 5;
 
@@ -36,8 +39,8 @@ pub(super) struct Yard {
     near: Copy,
     buffer: Interface,
     near_buffer: Interface,
-    /// The processor has no dispatches.
-    dispatch: Option<Copy>,
+    /// A copy of one record by itself, and among others; the processor has no dispatches.
+    idle: Option<[Copy; 2]>,
 }
 
 /// The interface's own copy.
@@ -53,6 +56,7 @@ pub(super) struct YardTimes {
     near: Vec<f64>,
     buffer: Vec<f64>,
     near_buffer: Vec<f64>,
+    lone: Vec<f64>,
     dispatch: Vec<f64>,
     clock: Clock,
     /// Seconds spent on it.
@@ -68,7 +72,7 @@ pub(super) struct Rates {
     pub(super) near_ms: Spread,
     /// Of the far records, by the interface.
     pub(super) buffer_ms: Spread,
-    /// What a dispatch costs that does nothing.
+    /// What a dispatch costs that does nothing, among others of its kind.
     pub(super) dispatch_ms: Option<Spread>,
     /// By a kernel, out of caches, 10^9 bytes a second.
     pub(super) kernel: Option<f64>,
@@ -103,8 +107,8 @@ impl Yard {
         let far = Fastest::of(target, FAR)?.copy(FAR)?;
         let fastest = Fastest::of(target, NEAR)?;
         let near = fastest.copy(NEAR)?;
-        let dispatch = match target {
-            Target::Gpu(_) => Some(fastest.copy(1)?),
+        let idle = match target {
+            Target::Gpu(_) => Some([fastest.copy(1)?, fastest.copy(1)?.repeated(IN_A_ROW)]),
             Target::Cpu => None,
         };
         let mut yard = Self {
@@ -112,7 +116,7 @@ impl Yard {
             near_buffer: Interface::new(&near)?,
             near,
             far,
-            dispatch,
+            idle,
         };
         // The first run of each compiles it, and gives its memory to what is written.
         yard.measure(&mut YardTimes::default())?;
@@ -133,8 +137,9 @@ impl Yard {
         times.near.push(self.near.run()?.0);
         times.buffer.push(self.buffer.run()?);
         times.near_buffer.push(self.near_buffer.run()?);
-        if let Some(dispatch) = &mut self.dispatch {
-            times.dispatch.push(dispatch.run()?.0);
+        if let Some([lone, among_others]) = &mut self.idle {
+            times.lone.push(lone.run()?.0);
+            times.dispatch.push(among_others.run()?.0);
         }
         times.secs += begun.elapsed().as_secs_f64();
         Ok(())
@@ -166,12 +171,19 @@ impl YardTimes {
     /// dispatches), of [`NEAR`] and of [`FAR`]; and that by the interface, of [`FAR`].
     pub(super) fn rates(self) -> Rates {
         let spread = |samples: Vec<f64>| Spread::new(samples, self.clock);
-        let all = [self.far, self.near, self.buffer, self.near_buffer];
-        let [far, near, buffer, near_buffer] = all.map(spread);
+        let all = [
+            self.far,
+            self.near,
+            self.buffer,
+            self.near_buffer,
+            self.lone,
+        ];
+        let [far, near, buffer, near_buffer, lone] = all.map(spread);
         let dispatch_ms = (!self.dispatch.is_empty()).then(|| spread(self.dispatch));
         let bytes = |records: u32| u64::from(records) * BOTH_WAYS;
         let kernel = gb_per_s(bytes(FAR), far.median);
-        let price = dispatch_ms.as_ref().map_or(0.0, |ms| ms.median);
+        // The copies are alone in their submissions, too.
+        let price = lone.median;
         // Of a copy that takes hardly longer than nothing, the difference is noise; and a cache is no
         // slower than memory.
         let of_cache = |ms: f64, price: f64, far: Option<f64>| {
@@ -224,7 +236,8 @@ mod tests {
             near: vec![0.05 + 8.388_608 / 20.0; 3],
             buffer: vec![268.435_456 / 25.0; 3],
             near_buffer: vec![8.388_608 / 50.0; 3],
-            dispatch: vec![0.05; 3],
+            lone: vec![0.05; 3],
+            dispatch: vec![0.02; 3],
             ..YardTimes::default()
         };
         times.rates()
@@ -255,7 +268,8 @@ mod tests {
                 near: vec![near],
                 buffer: vec![12.0],
                 near_buffer: vec![0.3],
-                dispatch: vec![0.05],
+                lone: vec![0.05],
+                dispatch: vec![0.02],
                 ..YardTimes::default()
             };
             let rates = times.rates();

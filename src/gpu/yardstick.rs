@@ -31,6 +31,8 @@ pub struct Yardstick {
     /// Copied before each run, untimed where the device has a clock.
     before: Vec<(wgpu::Buffer, wgpu::Buffer)>,
     work: Work,
+    /// Passes of a run, one after another in one submission.
+    passes: u32,
     timer: Option<Timer>,
 }
 
@@ -124,6 +126,15 @@ impl Yardstick {
             .watched(|| Ok(Self::new(&memory.gpu, "copy_buffer", work)))
     }
 
+    /// The same so many times in a run, 1 ..= 1,000, pass after pass; a run's time is that of one.
+    #[must_use]
+    pub fn repeated(self, passes: u32) -> Self {
+        Self {
+            passes: passes.clamp(1, 1000),
+            ..self
+        }
+    }
+
     /// A pass of the device's own rasteriser.
     pub(super) fn raster(gpu: &GpuDevice, name: &'static str, raster: Raster) -> Self {
         Self::new(gpu, name, Work::Raster(raster))
@@ -142,6 +153,7 @@ impl Yardstick {
             gpu: gpu.clone(),
             before: Vec::new(),
             work,
+            passes: 1,
             timer,
         }
     }
@@ -162,36 +174,38 @@ impl Yardstick {
             encoder.copy_buffer_to_buffer(from, 0, to, 0, from.size());
         }
         let mut timed = self.timer.as_mut().map(Timer::frame);
-        match &self.work {
-            Work::Dispatches(dispatches) => {
-                let descriptor = match &mut timed {
-                    Some(timed) => timed.pass(self.name),
-                    None => wgpu::ComputePassDescriptor::default(),
-                };
-                let mut pass = encoder.begin_compute_pass(&descriptor);
-                for ready in dispatches {
-                    pass.set_pipeline(&ready.pipeline);
-                    pass.set_bind_group(0, &ready.group, &[]);
-                    if !ready.immediates.is_empty() {
-                        pass.set_immediates(0, bytemuck::cast_slice(&ready.immediates));
+        for _ in 0..self.passes {
+            match &self.work {
+                Work::Dispatches(dispatches) => {
+                    let descriptor = match &mut timed {
+                        Some(timed) => timed.pass(self.name),
+                        None => wgpu::ComputePassDescriptor::default(),
+                    };
+                    let mut pass = encoder.begin_compute_pass(&descriptor);
+                    for ready in dispatches {
+                        pass.set_pipeline(&ready.pipeline);
+                        pass.set_bind_group(0, &ready.group, &[]);
+                        if !ready.immediates.is_empty() {
+                            pass.set_immediates(0, bytemuck::cast_slice(&ready.immediates));
+                        }
+                        pass.dispatch_workgroups(ready.groups.0, ready.groups.1, 1);
                     }
-                    pass.dispatch_workgroups(ready.groups.0, ready.groups.1, 1);
                 }
-            }
-            Work::Copies(copies) => {
-                let copy = |encoder: &mut wgpu::CommandEncoder| {
-                    for (from, to, bytes) in copies {
-                        encoder.copy_buffer_to_buffer(from, 0, to, 0, *bytes);
+                Work::Copies(copies) => {
+                    let copy = |encoder: &mut wgpu::CommandEncoder| {
+                        for (from, to, bytes) in copies {
+                            encoder.copy_buffer_to_buffer(from, 0, to, 0, *bytes);
+                        }
+                    };
+                    match &mut timed {
+                        Some(timed) => timed.between_passes(self.name, &mut encoder, copy),
+                        None => copy(&mut encoder),
                     }
-                };
-                match &mut timed {
-                    Some(timed) => timed.between_passes(self.name, &mut encoder, copy),
-                    None => copy(&mut encoder),
                 }
-            }
-            Work::Raster(raster) => {
-                let stamps = timed.as_mut().and_then(|timed| timed.stamps(self.name));
-                raster.encode(&mut encoder, stamps);
+                Work::Raster(raster) => {
+                    let stamps = timed.as_mut().and_then(|timed| timed.stamps(self.name));
+                    raster.encode(&mut encoder, stamps);
+                }
             }
         }
         if let Some(timed) = timed {
@@ -204,10 +218,14 @@ impl Yardstick {
             Some(timer) => timer.take()?,
             None => Vec::new(),
         };
-        let by_device = times.iter().flatten().next();
+        let by_device: Vec<f64> = times.iter().flatten().map(|(_, ms)| *ms).collect();
+        let all_ms = match by_device.is_empty() {
+            true => wall_ms,
+            false => by_device.iter().sum(),
+        };
         Ok(Timed {
-            ms: by_device.map_or(wall_ms, |(_, ms)| *ms),
-            by_device: by_device.is_some(),
+            ms: all_ms / f64::from(self.passes),
+            by_device: !by_device.is_empty(),
         })
     }
 }

@@ -83,7 +83,8 @@ fn two_paced(seed: u64, slow_from: usize) -> Vec<Record> {
             *ms = Spread::new(times.collect(), ms.clock);
         };
         run.passes.iter_mut().for_each(|pass| slow(&mut pass.ms));
-        [&mut run.frame_ms, &mut run.step_ms, &mut run.draw_ms].map(slow);
+        let whole = [&mut run.frame_ms, &mut run.step_ms, &mut run.draw_ms];
+        whole.into_iter().for_each(slow);
     }
     records
 }

@@ -2,7 +2,7 @@
 
 use super::Entry;
 use crate::backend::BackendError;
-use crate::bench::copy::{WORKGROUPS, forms, of_form, timed};
+use crate::bench::copy::{forms, of_form, timed};
 use crate::bench::splats::{SHAPES, SIZE_PX};
 use crate::gpu::{
     self, GpuDevice, RasterShape, RasterTarget, SortYardstick, Yardstick, YardstickMemory,
@@ -72,7 +72,7 @@ pub(super) fn entries(device: &GpuDevice, records: u32) -> Result<Vec<Entry>, Ba
         ..entry(&memory, "copy_buffer", 64 * count, copied)
     }];
     for form in forms(device) {
-        let (_, size, yardstick) = of_form(&memory, form, &WORKGROUPS)?;
+        let (_, size, yardstick) = of_form(&memory, form)?;
         let name = form.1.replace("bench/", "");
         let name = format!("form_{name}");
         let note = format!("{}, workgroups of {size}", form.0);
