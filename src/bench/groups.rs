@@ -8,8 +8,8 @@ const LEAST: usize = 12;
 /// Part of the samples at either end that are passed over: outliers are no group.
 const PASSED_OVER: f64 = 0.03;
 
-/// Part of the samples that a group has at least.
-const LEAST_PART: f64 = 0.1;
+/// Part of the samples that a group has at least: fewer sway no median.
+const LEAST_PART: f64 = 0.2;
 
 /// How far apart the groups' medians are at least.
 const LEAST_RATIO: f64 = 1.15;

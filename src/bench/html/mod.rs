@@ -1,6 +1,7 @@
 //! Records as one page with pictures: no scripts, no other files, light or dark as the reader has it.
 
 mod bars;
+mod chart;
 mod curves;
 mod shares;
 mod svg;
