@@ -154,6 +154,9 @@ fn printable(text: &str) -> String {
 fn check(record: &Record) -> Result<(), String> {
     check_texts(record)?;
     check_measures("micro", &record.micro)?;
+    if let Some(ms) = &record.dispatch_ms {
+        check_spread(ms).map_err(|fault| format!("`dispatch_ms` {fault}"))?;
+    }
     let mut met = HashSet::new();
     for run in &record.runs {
         let place = format!("{} at {} particles", run.scene, run.particles);
@@ -166,6 +169,11 @@ fn check(record: &Record) -> Result<(), String> {
             ("draw_ms", &run.draw_ms),
         ] {
             check_spread(ms).map_err(|fault| format!("`{name}` of {place} {fault}"))?;
+        }
+        let beside = [("copy_ms", &run.copy_ms), ("dispatch_ms", &run.dispatch_ms)];
+        for (name, ms) in beside {
+            let fault = |fault| format!("`{name}` of {place} {fault}");
+            ms.as_ref().map_or(Ok(()), check_spread).map_err(fault)?;
         }
         check_measures(&place, &run.passes)?;
     }
@@ -209,11 +217,18 @@ fn check_texts(record: &Record) -> Result<(), String> {
 
 fn check_measures(place: &str, measures: &[Measure]) -> Result<(), String> {
     let mut met = HashSet::new();
-    for Measure { name, ms, .. } in measures {
+    for measure in measures {
+        let Measure {
+            name, ms, floor_ms, ..
+        } = measure;
         if !met.insert(name) {
             return Err(format!("`{name}` stands twice in {place}"));
         }
         check_spread(ms).map_err(|fault| format!("`{name}` of {place} {fault}"))?;
+        let is_time = |ms: f64| (0.0..=MOST_MS).contains(&ms);
+        if let Some(floor) = floor_ms.filter(|floor| !is_time(*floor)) {
+            return Err(format!("`{name}` of {place} has a floor of {floor} ms"));
+        }
     }
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! `motes bench`: what each pass of a frame costs, as a share of what the adapter's memory can do.
 
 use std::io::IsTerminal as _;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
@@ -10,7 +10,7 @@ use super::collisions::{self, Input, Output};
 use super::interrupt::Interrupt;
 use super::names::SceneName;
 use super::{CliError, note, print};
-use crate::bench::{self, BenchError, Budget, Progress, Request, Target};
+use crate::bench::{self, BenchError, Budget, Progress, Record, Request, Target};
 use crate::output::write_whole;
 use crate::scene::{Loader, Scene};
 use crate::simulation::AdapterChoice;
@@ -30,7 +30,8 @@ pub(super) struct BenchArgs {
     /// Measure kernels alone: copies, reads, atomics, noise, scan, splats, the rasteriser
     #[arg(long)]
     micro: bool,
-    /// How many particles live, e.g. 1e5,1e6: scenes with `steady_particles` are scaled to them
+    /// How many particles live, e.g. 1e5,1e6: scenes with `steady_particles` are scaled to them, and
+    /// scenes of flocks alone to as many boids
     #[arg(long, value_name = "N,N,…", value_delimiter = ',', value_parser = parse_particles, allow_hyphen_values = true)]
     particles: Vec<u32>,
     /// Frames to measure [default: until the noise is low enough]
@@ -117,15 +118,50 @@ pub(super) fn run(args: &BenchArgs) -> Result<u8, CliError> {
     let texts: Vec<String> = records.iter().map(bench::table).collect();
     if let Some(path) = &args.json {
         bench::write_records(path, &records)?;
+        wrote(path, &many(records.len(), "record"));
     }
-    if let Some(path) = &args.csv {
-        write_whole(path, bench::csv(&records).as_bytes())?;
-    }
-    if let Some(path) = &args.html {
-        write_whole(path, bench::html(&records).as_bytes())?;
-    }
+    let files = match &args.json {
+        Some(path) => vec![path.display().to_string(); records.len()],
+        None => Vec::new(),
+    };
+    reports(&records, &files, args.html.as_deref(), args.csv.as_deref())?;
     print(&texts.join("\n"))?;
     Ok(0)
+}
+
+/// Writes the reports that were asked for, and says so. `files` are those that the records are from.
+pub(super) fn reports(
+    records: &[Record],
+    files: &[String],
+    html: Option<&Path>,
+    csv: Option<&Path>,
+) -> Result<(), CliError> {
+    if let Some(path) = html {
+        write_whole(path, bench::html(records, files).as_bytes())?;
+        wrote(
+            path,
+            &format!("a page of {}", many(records.len(), "record")),
+        );
+    }
+    if let Some(path) = csv {
+        let text = bench::csv(records);
+        write_whole(path, text.as_bytes())?;
+        let lines = text.lines().count().saturating_sub(1);
+        wrote(path, &many(lines, "measurement"));
+    }
+    Ok(())
+}
+
+fn wrote(path: &Path, what: &str) {
+    note!("motes: wrote {}: {what}", path.display());
+}
+
+/// E.g. `1 record`, `3 records`.
+fn many(count: usize, what: &str) -> String {
+    match count {
+        1 => format!("1 {what}"),
+        count => format!("{count} {what}s"),
+    }
 }
 
 /// Refuses reports that cannot be written, before hours are spent on them.

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::collisions::{self, Input, Output};
-use super::{CliError, print, refuse_folder};
+use super::{CliError, note, print, refuse_folder};
 use crate::bench::{self, CompareError, Record, RecordError};
 use crate::output::write_whole;
 
@@ -76,6 +76,7 @@ pub(super) fn run(args: &CompareArgs) -> Result<u8, CliError> {
             path,
             bench::comparisons_json(&comparisons, args.fail_above).as_bytes(),
         )?;
+        note!("motes: wrote {}: the comparison", path.display());
     }
     print(&texts.join("\n"))?;
     let fails = |percent| {

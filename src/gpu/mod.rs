@@ -31,6 +31,7 @@ mod traffic;
 mod watch;
 mod yardstick;
 mod yardstick_memory;
+mod yardstick_sort;
 
 use std::collections::{HashMap, VecDeque};
 use std::sync::Arc;
@@ -57,10 +58,11 @@ pub use picture::{ParticleBuffers, TextureError};
 pub use probe::KernelForm;
 pub use raster::{RasterShape, RasterTarget};
 pub use timing::KernelTimes;
-pub use traffic::{Load, Traffic, stage_traffic, traffic};
+pub use traffic::{Load, Traffic, sort_bytes, stage_traffic, traffic};
 pub use watch::is_waiting;
 pub use yardstick::{Timed, Yardstick};
 pub use yardstick_memory::{TABLE_WORDS, YardstickMemory};
+pub use yardstick_sort::SortYardstick;
 
 /// The state of a run on a device.
 pub struct GpuBackend {
@@ -259,7 +261,7 @@ impl GpuBackend {
     /// The device fails.
     pub fn take_times(&mut self) -> Result<Vec<KernelTimes>, BackendError> {
         self.watched(|run| match &mut run.timer {
-            Some(timer) => timer.take(&run.gpu),
+            Some(timer) => timer.take(),
             None => Ok(Vec::new()),
         })
     }

@@ -17,7 +17,7 @@ pub const SCENE: &[Field] = &[
     default("frame_rate", whole(1, 240), "24", "frames a second", "the speed of animated files", "Reeves 3"),
     default("seed", whole(0, i64::MAX), "1", "", "decides every random number", "Reeves 3"),
     optional("capacity", whole(1, 1_000_000_000), "200_000", "particles", "most particles alive at once; computed from births and lifetimes if left out", ""),
-    optional("steady_particles", whole(1, 1_000_000_000), "1_000_000", "particles", "how many are alive once births and deaths balance; `motes bench --particles` scales all births by it to reach other counts, and scenes without it have one count only", ""),
+    optional("steady_particles", whole(1, 1_000_000_000), "1_000_000", "particles", "how many are alive once births and deaths balance; `motes bench --particles` scales all births by it to reach other counts; scenes without it have one count only, but for those of flocks alone, which scale by their boids", ""),
     default("image", Kind::Table(IMAGE), "{}", "", "the picture that frames are drawn into", ""),
     required("camera", Kind::Table(CAMERA), "{ position = [0, 1, 5], target = [0, 0, 0] }", "", "the viewer", ""),
     optional("system", Kind::Tables { fields: SYSTEM, max: 1024 }, "[{ name = \"jet\", initial_mean_parts = 100, generation_shape = { kind = \"sphere\", radius = 1 }, speed = 0.1, lifetime = 60, color = [0.4, 0.1, 0.02], size = 0.02 }]", "", "the particle systems, one `[[system]]` each; a scene without a flock has at least one", "Reeves 2"),
