@@ -110,7 +110,7 @@ impl Memory {
         let page_bytes = u64::from(paging.page_len) * PARTICLE_BYTES;
         let pages = paging.page_count as usize;
         let pooled = iter::repeat_n(("particles", page_bytes), 2 * pages);
-        let large_bytes = (u64::from(paging.page_len) + 2) * 4;
+        let large_bytes = (u64::from(paging.page_len) + 4) * 4;
         let large = iter::repeat_n(("large_particles", large_bytes), pages);
         let single = BUFFERS.iter().filter(|declared| {
             declared.name != "large_particles"
