@@ -80,7 +80,7 @@ pub(super) struct Memory {
     pub(super) paging: Paging,
     pub(super) tiling: Tiling,
     pub(super) pools: [Vec<wgpu::Buffer>; 2],
-    /// For each page, the particles that cover many pixels: a count, its copy, indices.
+    /// For each page, the particles that are no small discs: two counts, their copies, indices.
     pub(super) large: Vec<wgpu::Buffer>,
     named: HashMap<&'static str, wgpu::Buffer>,
     /// Bytes allocated in all.
