@@ -242,6 +242,8 @@ fn constants_agree_bit_for_bit() {
         motes::cpu::light::CONSTANTS,
         motes::cpu::particle::CONSTANTS,
         motes::cpu::systems::births::CONSTANTS,
+        motes::cpu::reach::CONSTANTS,
+        motes::cpu::disc::CONSTANTS,
         motes::cpu::footprint::CONSTANTS,
         motes::cpu::wind::CONSTANTS,
         motes::area::CONSTANTS,
@@ -269,6 +271,7 @@ fn constants_agree_bit_for_bit() {
         ("BLUE_AT", 42),
         ("FIELD_LEN", 1 << 21),
         ("BLUE_LEN", 1 << (64 - 42)),
+        ("UNFIT", 1 << 3),
     ])
     .collect();
     let mut given = vec!["WORKGROUP_SIZE"];

@@ -3,7 +3,7 @@
 
 use glam::Vec3;
 
-use crate::cpu::footprint::overlap;
+use crate::cpu::reach::{center_of, overlap};
 use crate::exact::{
     clamp_exact, f32_of_i32, less, max_exact, min_exact, reciprocal, shared_constants, snap, snap3,
     square_root, to_i32,
@@ -159,7 +159,7 @@ pub fn coverage_at(cover: &Cover, x: i32, y: i32) -> f32 {
     let center_y = f32_of_i32(y) + 0.5;
     let [ax, ay, bx, by] = points;
     if kind == COVER_SQUARE {
-        return overlap(x, ax - u, ax + u) * overlap(y, ay - u, ay + u);
+        return overlap(center_of(x), ax - u, ax + u) * overlap(center_of(y), ay - u, ay + u);
     }
     if kind == COVER_TRIANGLE {
         let corner = [f32_of_i32(x), f32_of_i32(y)];

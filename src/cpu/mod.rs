@@ -6,6 +6,7 @@
 pub mod boid;
 pub mod cover;
 mod digest;
+pub mod disc;
 pub mod draw;
 pub mod emission;
 pub mod flock;
@@ -15,6 +16,7 @@ pub mod light;
 pub mod particle;
 pub mod particles;
 pub mod projection;
+pub mod reach;
 pub mod shape;
 pub(crate) mod sprite;
 pub mod steering;

@@ -41,7 +41,7 @@ enum Work {
     LivePages,
     /// One invocation a page.
     OncePages,
-    /// Page by page, as the dispatches for what covers many pixels say.
+    /// Page by page, as the dispatches for all but small discs say.
     LargePages,
     /// Flock by flock, one a boid.
     Boids,

@@ -23,7 +23,7 @@ pub struct Load {
     pub pixels: u64,
     /// Pixels that some particle's light fell on.
     pub lit_pixels: u64,
-    /// Particles left to the kernel for those that cover many pixels.
+    /// Particles left to the kernel for all but small discs.
     pub large: u64,
     /// Particle systems.
     pub systems: u64,

@@ -3,7 +3,7 @@
 //
 // Porter and Duff, "Compositing digital images" (1984), from near to far: `clear` is how much of what
 // is behind shows through all that has come before. Discs and segments cover a pixel by the distance
-// of its centre, with an edge one pixel wide (motes::footprint); squares and triangles by their area in
+// of its centre, with an edge one pixel wide (motes::reach); squares and triangles by their area in
 // it. Spheres are lit as Lambert has it. Outside its bounds a primitive covers exactly nothing, so a
 // pixel does not depend on which others it is looked up with.
 // Reads and writes no buffers. Invariant: exact on every driver; twin of src/cpu/cover.rs.
@@ -12,7 +12,7 @@
 #import motes::exact::{
     clamp_exact, f32_of_i32, less, max_exact, min_exact, reciprocal, snap, snap3, square_root, to_i32,
 }
-#import motes::footprint::overlap
+#import motes::reach::{center_of, overlap}
 #import motes::layout::{
     COVER_NONE, COVER_SEGMENT, COVER_SOFT_DISC, COVER_SQUARE, COVER_TRIANGLE, Cover,
 }
@@ -137,8 +137,8 @@ fn coverage_at(cover: Cover, kinds: Kinds, x: i32, y: i32) -> f32 {
     let center_x = f32_of_i32(x) + 0.5f;
     let center_y = f32_of_i32(y) + 0.5f;
     if kinds.squares && kind == COVER_SQUARE {
-        return overlap(x, points.x - shape.x, points.x + shape.x)
-            * overlap(y, points.y - shape.x, points.y + shape.x);
+        return overlap(center_of(x), points.x - shape.x, points.x + shape.x)
+            * overlap(center_of(y), points.y - shape.x, points.y + shape.x);
     }
     if kinds.triangles && kind == COVER_TRIANGLE {
         let corner = vec2<f32>(f32_of_i32(x), f32_of_i32(y));

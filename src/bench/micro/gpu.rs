@@ -107,11 +107,12 @@ pub(super) fn rasters(device: &GpuDevice, particles: u32) -> Result<Vec<Entry>, 
     let disc = SHAPES
         .iter()
         .find(|shape| shape.name == "splat_discs_small");
-    let radius_px = disc.map_or(1.0, |shape| shape.radius_px);
+    // As wide as what the splat covers, to a thousandth of a pixel.
+    let radius_px = disc.map_or(1.0, |shape| shape.edged_radius_px());
     let quads = RasterShape::Quads {
-        radius_millipixels: (radius_px * 1e3) as u32,
+        radius_millipixels: (radius_px * 1e3).round() as u32,
     };
-    let side = f64::from(2.0 * radius_px + 1.0);
+    let side = 2.0 * radius_px + 1.0;
     // A device of its own: after a render pass, llvmpipe (Mesa 22.3.6) runs no more compute on one.
     let Some(device) = gpu::open(&device.description.name)? else {
         return Ok(Vec::new());

@@ -40,6 +40,8 @@ pub static LIBRARIES: &[Source] = sources![
     "lib/particle",
     "lib/emission",
     "lib/projection",
+    "lib/reach",
+    "lib/disc",
     "lib/footprint",
     "lib/sprite",
     "lib/grid",
