@@ -236,6 +236,12 @@ impl Plan {
         scene.flocks.iter().map(|flock| flock.count)
     }
 
+    /// The name of each flock.
+    pub fn flock_names(&self) -> impl Iterator<Item = &str> + '_ {
+        let (_, scene) = &self.variants[0];
+        scene.flocks.iter().map(|flock| flock.name.as_str())
+    }
+
     /// Whether the plan has anything for the stage to do at any time.
     pub fn has(&self, stage: Stage) -> bool {
         match stage {

@@ -12,7 +12,8 @@ use crate::plan::Population;
 use crate::scene::Scene;
 use crate::simulation::Simulation;
 
-/// The rows of a frame, whose line of statistics is given: its populations' and its picture's.
+/// The rows of a frame, whose line of statistics is given: its populations', its flocks' and its
+/// picture's.
 pub(super) fn rows_of(
     simulation: &mut Simulation,
     line: &FrameStats,
@@ -39,7 +40,7 @@ pub(super) fn rows_of(
             frame: line.frame,
             population,
             measured,
-            digest: Some(digest),
+            digest,
         };
         rows.push(row.to_line());
     };
@@ -49,9 +50,15 @@ pub(super) fn rows_of(
             _ => Measured::Particles(counts),
         };
         let digest = simulation.population_digest(population)?;
-        row(population.name(), measured, digest);
+        row(population.name(), measured, Some(digest));
     }
-    row("image", Measured::Image, simulation.image_digest()?);
+    let metrics = simulation.flock_metrics()?;
+    let image_digest = simulation.image_digest()?;
+    for (name, metrics) in simulation.plan().flock_names().zip(metrics) {
+        let born = if begins { metrics.count.into() } else { 0 };
+        row(name, Measured::Flock { born, metrics }, None);
+    }
+    row("image", Measured::Image, Some(image_digest));
     Ok(rows)
 }
 
