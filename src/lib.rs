@@ -30,6 +30,8 @@
 //!
 //! # One frame, as the data sees it
 //!
+//! 0. *tree*, where systems bear systems: how many, in which slots, with which parameters, and where
+//!    each is. A borne system is a row of the tables that the stages below read, and nothing else.
 //! 1. *births*: how many particles each system bears, perhaps by its screen area; where its
 //!    newborns go.
 //! 2. *emit*: the newborns' places and velocities, behind the living.
@@ -43,6 +45,8 @@
 //! 6. *shapes*: what covers what is behind it, one record a particle or boid ([`layout::Cover`]).
 //! 7. *cover*: the records are sorted by depth, stably, and each pixel gathers those that cover it,
 //!    from near to far; by tiles, in rounds, so that no tile has too many.
+//!    *planet*: a ball with a surface in every pixel, and on it what shows of the light of particles
+//!    behind its outline.
 //! 8. *splat*: particles that glow add light to pixels, in 64-bit integers; all of them, or one
 //!    layer's.
 //! 9. *resolve*: what covers, what shows of the background, and light on top of both become bytes.
@@ -56,6 +60,9 @@
 //! spread by the parameter row of its system at its birth. Nothing depends on where it is stored,
 //! so a run can be entered at any frame from one lifetime before, and two runs differ only in what
 //! was asked to be different.
+//!
+//! A borne system's key is a hash of its parent's key and of its own birth, so all systems of all
+//! frames before are borne again where a run is entered, without their particles.
 //!
 //! Its state is 32 bytes: position, velocity, index, system and birth frame. Colours, sizes and
 //! lifetimes are recomputed wherever they are needed; values with keys ([`scene::Track`]) reach a

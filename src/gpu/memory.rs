@@ -83,6 +83,8 @@ pub(super) struct Memory {
     /// For each page, the particles that are no small discs: two counts, their copies, indices.
     pub(super) large: Vec<wgpu::Buffer>,
     named: HashMap<&'static str, wgpu::Buffer>,
+    /// Whether light is there before the splat: that of particles behind the planet.
+    has_planet: bool,
     /// Bytes allocated in all.
     pub(super) bytes: u64,
 }
@@ -159,6 +161,7 @@ impl Memory {
                 .map(|(name, _)| *name)
                 .zip(buffers)
                 .collect(),
+            has_planet: plan.uses.planet,
             bytes,
         })
     }
@@ -183,7 +186,8 @@ impl Memory {
     pub(super) fn begin(&self, stage: Stage, encoder: &mut wgpu::CommandEncoder) {
         let names: &[&str] = match stage {
             Stage::Shapes => &["cover_counts"],
-            Stage::Splat => &["light_low", "light_high", "light_packed"],
+            Stage::Splat if self.has_planet => &[],
+            Stage::Splat | Stage::Planet => &["light_low", "light_high", "light_packed"],
             _ => &[],
         };
         for buffer in names.iter().filter_map(|name| self.named.get(name)) {

@@ -74,6 +74,7 @@ pub struct GpuBackend {
     commands: [HashMap<Stage, Vec<Command>>; 2],
     workgroup_size: u32,
     system_count: u32,
+    node_count: u32,
     row_count: u32,
     curve_points: Vec<[f32; 4]>,
     meshes: Arc<MeshTables>,
@@ -82,6 +83,7 @@ pub struct GpuBackend {
     width: u32,
     height: u32,
     has_covers: bool,
+    has_planet: bool,
     /// Which pool holds the particles.
     current: usize,
     /// Whether newborns stand behind the living: between emit and advance.
@@ -193,6 +195,7 @@ impl GpuBackend {
             commands: Default::default(),
             workgroup_size,
             system_count: plan.system_count,
+            node_count: plan.system_count - plan.own_system_count,
             row_count: plan.row_count,
             curve_points: plan.curve_points.clone(),
             meshes: Arc::clone(&plan.meshes),
@@ -201,6 +204,7 @@ impl GpuBackend {
             width: plan.width,
             height: plan.height,
             has_covers: plan.uses.covers,
+            has_planet: plan.uses.planet,
             current: 0,
             newborns_present: false,
             ring: StatisticsRing::default(),

@@ -34,6 +34,20 @@ pub struct ParticleCounts {
     pub died_of_bounds: u64,
 }
 
+/// What happened to the systems that others bear in one frame: `live` is that of the frame before,
+/// plus `born`, minus `died`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SystemCounts {
+    /// Systems that were to be born.
+    pub requested: u64,
+    /// Systems that were born; for the rest there was no slot.
+    pub born: u64,
+    /// Systems whose lifetime was over.
+    pub died: u64,
+    /// Systems that live.
+    pub live: u64,
+}
+
 /// What happened to a population of boids in one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct BoidCounts {
@@ -48,6 +62,8 @@ pub struct BoidCounts {
 pub enum Measured {
     /// A population of particles (`particles`).
     Particles(ParticleCounts),
+    /// Systems that others bear (`systems`).
+    Systems(SystemCounts),
     /// A population of boids (`boids`): nobody is left out and nobody dies.
     Boids(BoidCounts),
     /// One flock of them (`flock`), of which `born` began in this frame; its digest stays empty.
@@ -143,6 +159,17 @@ impl StatsRow<'_> {
                     format!("{of_age},{died_of_intensity},{died_of_bounds}"),
                     None,
                 )
+            }
+            Measured::Systems(counts) => {
+                let SystemCounts {
+                    requested,
+                    born,
+                    died,
+                    live,
+                } = counts;
+                let dropped = requested.saturating_sub(born);
+                let counts = format!("systems,{requested},{born},{died},{live},{dropped}");
+                (counts, format!("{died},,"), None)
             }
             Measured::Boids(BoidCounts { born, live }) => {
                 let counts = format!("boids,{born},{born},0,{live},0");

@@ -142,6 +142,9 @@ impl Simulation {
             layer_plane_count: inputs.layer_planes.len() as u32,
             ..self.plan.bounded(inputs.frame)
         };
+        if self.inputs.is_none() {
+            self.grow_tree(self.next_frame)?;
+        }
         self.backend.step(&inputs)?;
         self.inputs = Some(inputs);
         self.next_frame += 1;

@@ -12,7 +12,7 @@
 #import motes::disc::{Disc, SMALL_REACH_PX, covered_of, disc_at, place_of, reach_of, weight_at}
 #import motes::exact::{dot3, f32_of_u32, less}
 #import motes::footprint::{LIST_START, is_for_one}
-#import motes::layout::{Counts, Frame, Particle, ROW_OVER, SystemFrame, SystemRow}
+#import motes::layout::{Counts, Frame, Particle, Planet, ROW_OVER, SystemFrame, SystemRow}
 #import motes::light::steps_for
 #import motes::packed::{UNFIT, channels_of, left_over, packed, rest_of}
 #import motes::particle::{age_of, from_words, row_index, slot_of}
@@ -33,8 +33,13 @@ const COVERS: bool = #{COVERS};
 // Whether the picture has layers.
 const LAYERS: bool = #{LAYERS};
 
+// Whether a planet splits the picture.
+const PLANET: bool = #{PLANET};
+
+// Which particles: those before the planet's outline or, if `is_behind` is 1, those behind it.
 struct Pages {
     page: u32,
+    is_behind: u32,
 }
 var<immediate> pages: Pages;
 
@@ -46,9 +51,10 @@ var<immediate> pages: Pages;
 @group(0) @binding(6) var<storage, read_write> light_high: array<atomic<u32>>;
 @group(0) @binding(7) var<storage, read_write> large_particles: array<atomic<u32>>;
 @group(0) @binding(8) var<storage, read> layer_planes: array<vec4<f32>>;
+@group(0) @binding(9) var<storage, read> planets: array<Planet>;
 #if WIDE == true
 @group(0) @binding(4) var<storage, read> particles: array<vec4<u64>>;
-@group(0) @binding(9) var<storage, read_write> light_packed: array<atomic<u64>>;
+@group(0) @binding(10) var<storage, read_write> light_packed: array<atomic<u64>>;
 #else
 @group(0) @binding(4) var<storage, read> particles: array<Particle>;
 #endif
@@ -119,6 +125,12 @@ fn layer_of(world: vec3<f32>) -> u32 {
     return select(layer, frame.layer_plane_count + 1u, layer == 0u);
 }
 
+// Whether a world place is beyond the plane of the planet's outline.
+fn is_beyond(world: vec3<f32>) -> bool {
+    let outline = planets[0].outline;
+    return less(dot3(outline.xyz, world), outline.w);
+}
+
 // Lists what one invocation of splat_large draws from the front, what many share from the back.
 fn leave_to_splat_large(at: u32, is_for_one: bool) {
     let place = atomicAdd(&large_particles[select(1u, 0u, is_for_one)], 1u);
@@ -158,6 +170,9 @@ fn splat(@builtin(global_invocation_id) global_id: vec3<u32>) {
         return;
     }
     if LAYERS && frame.layer != 0u && layer_of(sprite.world) != frame.layer {
+        return;
+    }
+    if PLANET && is_beyond(sprite.world) != (pages.is_behind == 1u) {
         return;
     }
     let rests = !(STREAKS && moves(sprite.start, sprite.end)) && !(RECTANGLES && sprite.square);

@@ -6,7 +6,7 @@ use crate::cli::CliError;
 use crate::layout::FrameStats;
 use crate::output::{
     BoidCounts, LinearImage, Measured, ParticleCounts, Picture, Pixels, Rgba8Image, StatsRow,
-    dump_path, write_boids, write_particles,
+    SystemCounts, dump_path, write_boids, write_particles,
 };
 use crate::plan::Population;
 use crate::scene::Scene;
@@ -27,6 +27,12 @@ pub(super) fn rows_of(
         died_of_intensity: line.died_of_intensity.into(),
         died_of_bounds: line.died_of_bounds.into(),
     };
+    let systems = SystemCounts {
+        requested: line.systems_requested.into(),
+        born: line.systems_born.into(),
+        died: line.systems_died.into(),
+        live: line.systems_live.into(),
+    };
     let plan = simulation.plan();
     let begins = line.frame == plan.first_frame.cast_unsigned();
     let boids = BoidCounts {
@@ -46,6 +52,7 @@ pub(super) fn rows_of(
     };
     for population in populations {
         let measured = match population {
+            Population::Systems => Measured::Systems(systems),
             Population::Boids => Measured::Boids(boids),
             _ => Measured::Particles(counts),
         };
@@ -66,10 +73,13 @@ pub(super) fn rows_of(
 pub(super) fn dump(simulation: &mut Simulation, dir: &Path, frame: u32) -> Result<(), CliError> {
     let populations: Vec<Population> = simulation.plan().populations().collect();
     for population in populations {
+        if population == Population::Systems {
+            continue;
+        }
         let path = dump_path(dir, population.name(), frame);
         match population {
             Population::Boids => write_boids(&path, &simulation.boids()?)?,
-            Population::Particles => write_particles(&path, &simulation.particles()?)?,
+            _ => write_particles(&path, &simulation.particles()?)?,
         }
     }
     Ok(())

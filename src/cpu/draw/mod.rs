@@ -2,6 +2,7 @@
 
 pub mod boid_shapes;
 pub mod cover;
+pub mod planet;
 pub mod resolve;
 pub mod shapes;
 pub mod splat;

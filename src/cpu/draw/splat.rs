@@ -4,6 +4,7 @@
 use glam::{Vec2, Vec3};
 
 use crate::cpu::disc::{SMALL_REACH_PX, reach_of, small_disc};
+use crate::cpu::draw::planet::is_beyond;
 use crate::cpu::footprint::Footprint;
 use crate::cpu::light::{LightSums, steps_of};
 use crate::cpu::particle::row_index;
@@ -69,8 +70,15 @@ pub(super) fn layer_of(planes: &[[f32; 4]], world: Vec3) -> u32 {
     }
 }
 
-/// Adds the light of `particle`, as of the frame of `inputs`.
-pub fn splat(particle: &Particle, inputs: &FrameInputs, rows: &[SystemRow], light: &LightSums) {
+/// Adds the light of `particle`, as of the frame of `inputs`, if it is on that side of a planet's
+/// outline.
+pub fn splat(
+    particle: &Particle,
+    inputs: &FrameInputs,
+    rows: &[SystemRow],
+    light: &LightSums,
+    is_behind: bool,
+) {
     let frame = &inputs.frame;
     let birth_frame = frame.frame.wrapping_sub(particle.age(frame.frame));
     let row = &rows[row_index(particle.slot(), birth_frame, frame.row_mask)];
@@ -83,6 +91,11 @@ pub fn splat(particle: &Particle, inputs: &FrameInputs, rows: &[SystemRow], ligh
         return;
     }
     if frame.layer != 0 && layer_of(&inputs.layer_planes, sprite.world) != frame.layer {
+        return;
+    }
+    if let [planet] = inputs.planets.as_slice()
+        && is_beyond(planet, sprite.world) != is_behind
+    {
         return;
     }
     let rests = !moves(start, end) && !sprite.square;

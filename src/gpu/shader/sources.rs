@@ -39,6 +39,9 @@ pub static LIBRARIES: &[Source] = sources![
     "lib/packed",
     "lib/particle",
     "lib/emission",
+    "lib/births",
+    "lib/tree",
+    "lib/inherit",
     "lib/projection",
     "lib/reach",
     "lib/disc",
@@ -55,6 +58,10 @@ pub static LIBRARIES: &[Source] = sources![
 
 /// Kernels, in the order of the frame.
 pub static KERNELS: &[Source] = sources![
+    "tree/bear",
+    "tree/settle",
+    "tree/found",
+    "tree/pose",
     "systems/births",
     "systems/offsets",
     "particles/emit",
@@ -85,9 +92,11 @@ pub static KERNELS: &[Source] = sources![
     "draw/clear_tiles",
     "draw/bin",
     "draw/cover",
+    "draw/planet",
     "draw/splat",
     "draw/large_work",
     "draw/splat_large",
+    "draw/hide",
     "draw/resolve",
     "draw/unpack",
     "digest/digest",

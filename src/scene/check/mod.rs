@@ -1,9 +1,11 @@
 //! Checks that look at more than one key: each value here has already passed its own.
 
 mod flocks;
+mod parents;
 mod tracks;
 
 pub(super) use flocks::{boids, no_such_flock};
+pub(super) use parents::parents;
 pub(super) use tracks::tracks;
 
 use super::read::{Reader, Spot};

@@ -13,13 +13,15 @@ use self::wind::wind;
 use super::check;
 use super::files::Files;
 use super::read::{Reader, Spot};
-use super::schema::{CAMERA, IMAGE, LAYER, LIGHT, SCENE};
+use super::schema::{CAMERA, IMAGE, LAMP, LAYER, LIGHT, PLANET, SCENE};
 use super::set;
 use super::set::Set;
 use super::tracks;
 use super::tree::{self, Node, Source};
 use super::values::{Quantity, choice, list, text, whole, whole32};
-use super::{Camera, Image, Layer, Light, Projection, Scene, SceneError, ShutterWeighting};
+use super::{
+    Camera, Image, Lamp, Layer, Light, Planet, Projection, Scene, SceneError, ShutterWeighting,
+};
 
 /// A scene's text, read but not yet checked, so that values can be changed.
 pub(crate) struct Draft {
@@ -82,6 +84,7 @@ fn scene(root: &Node, name: &str, files: &Files) -> Result<Scene, SceneError> {
         frame_rate: table.must("frame_rate", whole32)?,
         seed: table.must("seed", whole)?,
         capacity: table.may("capacity", whole32)?,
+        max_systems: table.may("max_systems", whole32)?,
         steady_particles: table.may("steady_particles", whole32)?,
         image: table.must("image", image)?,
         camera: table.must("camera", camera)?,
@@ -90,6 +93,8 @@ fn scene(root: &Node, name: &str, files: &Files) -> Result<Scene, SceneError> {
             .unwrap_or_default(),
         flocks: table.must("flock", flocks)?,
         light: table.must("light", light)?,
+        planet: table.may("planet", planet)?,
+        lamps: table.must("lamp", |spot| list(spot, lamp))?,
         winds: table.must("wind", |spot| list(spot, wind))?,
         layers: table.must("layer", |spot| list(spot, layer))?,
         tracks: Vec::new(),
@@ -140,6 +145,28 @@ fn light(spot: &Spot<'_>) -> Result<Light, SceneError> {
         direction: table.must("direction", check::direction)?,
         color: table.must("color", Quantity::read)?,
         ambient: table.must("ambient", Quantity::read)?,
+    })
+}
+
+fn planet(spot: &Spot<'_>) -> Result<Planet, SceneError> {
+    let table = Reader::new(spot.path.clone(), PLANET, spot.node)?;
+    Ok(Planet {
+        center: table.must("center", Quantity::read)?,
+        radius: table.must("radius", Quantity::read)?,
+        color: table.must("color", Quantity::read)?,
+        relief: table.must("relief", Quantity::read)?,
+        contrast: table.must("contrast", Quantity::read)?,
+        scale: table.must("scale", Quantity::read)?,
+        octaves: table.must("octaves", whole32)?,
+    })
+}
+
+fn lamp(_: usize, spot: &Spot<'_>) -> Result<Lamp, SceneError> {
+    let table = Reader::new(spot.path.clone(), LAMP, spot.node)?;
+    Ok(Lamp {
+        position: table.must("position", Quantity::read)?,
+        color: table.must("color", Quantity::read)?,
+        distance: table.must("distance", Quantity::read)?,
     })
 }
 

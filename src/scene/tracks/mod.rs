@@ -49,6 +49,8 @@ pub enum Owner {
     System(usize),
     /// One of [`Scene::winds`].
     Wind(usize),
+    /// One of [`Scene::lamps`].
+    Lamp(usize),
 }
 
 /// A value that changes with the frame.
