@@ -1,12 +1,14 @@
 //! Every struct that Rust and WGSL share, once. `wgsl/lib/layout.wgsl` is the twin of this file,
 //! and a test compares the two field by field (name, offset, size) through naga.
 
+pub mod flame;
 pub mod flock;
 
 use bytemuck::{Pod, Zeroable};
 
 use crate::exact::shared_constants;
 
+pub use flame::*;
 pub use flock::*;
 
 /// Who a particle is and where it is: 32 bytes, in its system's space.

@@ -41,6 +41,17 @@ pub struct BoidCounts {
     pub live: u64,
 }
 
+/// What happened to a population of flames in one frame: nobody is left out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FlameCounts {
+    /// Those that were kindled; in a run's first frame, all that burn.
+    pub born: u64,
+    /// Those that went out.
+    pub died: u64,
+    /// Those that burn.
+    pub live: u64,
+}
+
 /// What a row is about, with the numbers that such a row has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measured {
@@ -48,6 +59,8 @@ pub enum Measured {
     Particles(ParticleCounts),
     /// A population of boids (`boids`): nobody is left out and nobody dies.
     Boids(BoidCounts),
+    /// A population of flames (`flames`).
+    Flames(FlameCounts),
     /// A drawn frame (`image`); its counts stay empty, and its digest is that of its RGBA8 pixels.
     Image,
 }
@@ -137,6 +150,10 @@ impl StatsRow<'_> {
             Measured::Boids(BoidCounts { born, live }) => {
                 (format!("boids,{born},{born},0,{live},0"), ",,".to_owned())
             }
+            Measured::Flames(FlameCounts { born, died, live }) => (
+                format!("flames,{born},{born},{died},{live},0"),
+                ",,".to_owned(),
+            ),
             Measured::Image => ("image,,,,,".to_owned(), ",,".to_owned()),
         };
         let digest = digest.map_or(String::new(), |digest| format!("{digest:016x}"));

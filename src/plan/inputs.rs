@@ -2,10 +2,14 @@
 
 use super::Plan;
 use super::camera::{camera_frame, layer_planes};
+use super::fire::fires_of;
 use super::flock::flocks_of;
 use super::system::{Moments, bounds_of, system_frame, system_row};
 use super::wind::winds_of;
-use crate::layout::{Bound, FlockFrame, Frame, Relation, SystemFrame, SystemRow, Wind};
+use crate::layout::{
+    AgeLook, Bound, FireFrame, FlockFrame, Frame, ListedFlame, Relation, SystemFrame, SystemRow,
+    Wind,
+};
 use crate::scene::Scene;
 
 /// What the processor uploads for one frame. The list of them is a recording of the run, and a
@@ -28,6 +32,12 @@ pub struct FrameInputs {
     pub flocks: Vec<FlockFrame>,
     /// What flocks make of each other, flock by flock.
     pub relations: Vec<Relation>,
+    /// One a fire.
+    pub fires: Vec<FireFrame>,
+    /// The flames that are told one by one, fire by fire.
+    pub listed_flames: Vec<ListedFlame>,
+    /// What flames look like at each age, fire by fire.
+    pub age_looks: Vec<AgeLook>,
     /// Whether flocks begin in this frame: their boids are put where they are at first.
     pub hatches: bool,
 }
@@ -62,6 +72,7 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
     let winds = winds_of(&now, number);
     let layer_planes = layer_planes(&now);
     let (flocks, relations) = flocks_of(&now);
+    let (fires, listed_flames, age_looks) = fires_of(&now, &earlier, &plan.meshes, number);
     let frame = Frame {
         frame: number.cast_unsigned(),
         wind_count: winds.len() as u32,
@@ -79,6 +90,9 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
         layer_planes,
         flocks,
         relations,
+        fires,
+        listed_flames,
+        age_looks,
         hatches: number == plan.first_frame,
     }
 }

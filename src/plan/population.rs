@@ -11,17 +11,20 @@ pub enum Population {
     Particles,
     /// Those of all flocks.
     Boids,
+    /// Those of all fires.
+    Flames,
 }
 
 impl Population {
     /// Each of them.
-    pub const ALL: [Self; 2] = [Self::Particles, Self::Boids];
+    pub const ALL: [Self; 3] = [Self::Particles, Self::Boids, Self::Flames];
 
     /// Its name in tables and of its dumps; also that of its state buffer.
     pub fn name(self) -> &'static str {
         match self {
             Self::Particles => "particles",
             Self::Boids => "boids",
+            Self::Flames => "flames",
         }
     }
 
@@ -30,6 +33,7 @@ impl Population {
         let has = |population: &Self| match population {
             Self::Particles => !scene.systems.is_empty(),
             Self::Boids => !scene.flocks.is_empty(),
+            Self::Flames => !scene.fires.is_empty(),
         };
         Self::ALL.into_iter().filter(has).collect()
     }
@@ -39,6 +43,7 @@ impl Population {
         match self {
             Self::Particles => 0,
             Self::Boids => 1 << 31,
+            Self::Flames => 3 << 30,
         }
     }
 }
@@ -49,6 +54,7 @@ impl Plan {
         match population {
             Population::Particles => self.system_count > 0,
             Population::Boids => self.flock_count > 0,
+            Population::Flames => self.fire_count > 0,
         }
     }
 

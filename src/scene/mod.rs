@@ -14,6 +14,7 @@ mod error;
 mod expect;
 mod extinction;
 mod files;
+mod fire;
 mod flock;
 mod generation;
 mod knobs;
@@ -39,6 +40,7 @@ pub use builtin::{BUILTIN, BUILTIN_FILES, BuiltinScene};
 pub use error::SceneError;
 pub(crate) use error::shortened;
 pub use extinction::{Extinction, Side};
+pub use fire::{Burning, Fire, ListedFlame, Profile, RampStop, Roots};
 pub use flock::{BoidShape, Corners, Dimensions, Edges, Flock, Relation, RelationKind, Rule};
 pub use generation::{Attractor, EjectionAxis, EjectionSpread, GenerationShape};
 pub use knobs::{Knob, KnobValue};
@@ -98,10 +100,12 @@ pub struct Scene {
     /// What covering particles reflect.
     pub light: Light,
     /// The particle systems, in the order of the file, at most 1,024; names unique. A scene has at
-    /// least one, or a flock.
+    /// least one, or a flock, or a fire.
     pub systems: Vec<System>,
     /// The flocks, in the order of the file, at most 64; names unique.
     pub flocks: Vec<Flock>,
+    /// The fires, in the order of the file, at most 64; names unique.
+    pub fires: Vec<Fire>,
     /// The parts of the wind, at most 16; it is their sum.
     pub winds: Vec<Wind>,
     /// Planes that split the picture into layers, at most 8.
@@ -120,13 +124,22 @@ impl Scene {
         names.chain(["rest".into()]).collect()
     }
 
-    /// The meshes that its systems are born on, each once.
+    /// The meshes that its systems are born on, and that its flames stand on, each once.
     pub fn meshes(&self) -> Vec<&Arc<Mesh>> {
+        let of_systems = self
+            .systems
+            .iter()
+            .filter_map(|system| match &system.generation_shape {
+                GenerationShape::Mesh { mesh, .. } => Some(mesh),
+                _ => None,
+            });
+        let of_fires = self.fires.iter().filter_map(|fire| match &fire.roots {
+            Roots::Mesh { mesh, .. } => Some(mesh),
+            _ => None,
+        });
         let mut meshes: Vec<&Arc<Mesh>> = Vec::new();
-        for system in &self.systems {
-            if let GenerationShape::Mesh { mesh, .. } = &system.generation_shape
-                && !meshes.iter().any(|known| Arc::ptr_eq(known, mesh))
-            {
+        for mesh in of_systems.chain(of_fires) {
+            if !meshes.iter().any(|known| Arc::ptr_eq(known, mesh)) {
                 meshes.push(mesh);
             }
         }

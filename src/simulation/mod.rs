@@ -14,7 +14,7 @@ pub use adapter::{AdapterChoice, adapter_names};
 pub use error::SimulationError;
 pub use lines::Line;
 pub use radiance::linear_of;
-pub use read::{BoidState, ParticleState};
+pub use read::{BoidState, FlameState, ParticleState};
 pub use snapshot::{Snapshot, SnapshotError};
 
 use crate::backend::Backend;

@@ -1,11 +1,13 @@
 //! TOML → [`Scene`]: each key of the [`schema`](super::schema) goes to its place in the types.
 
+mod fire;
 mod flock;
 mod system;
 mod wind;
 
 use std::rc::Rc;
 
+use self::fire::fires;
 use self::flock::flocks;
 use self::system::systems;
 use self::wind::wind;
@@ -60,7 +62,7 @@ impl Draft {
 
 fn scene(root: &Node, name: &str, files: &Files) -> Result<Scene, SceneError> {
     let table = Reader::new(String::new(), SCENE, root)?;
-    let table = if table.has("flock") {
+    let table = if table.has("flock") || table.has("fire") {
         table
     } else {
         table.needs("system")
@@ -80,12 +82,13 @@ fn scene(root: &Node, name: &str, files: &Files) -> Result<Scene, SceneError> {
             .may("system", |spot| systems(spot, files))?
             .unwrap_or_default(),
         flocks: table.must("flock", flocks)?,
+        fires: table.must("fire", |spot| fires(spot, files))?,
         light: table.must("light", light)?,
         winds: table.must("wind", |spot| list(spot, wind))?,
         layers: table.must("layer", |spot| list(spot, layer))?,
         tracks: Vec::new(),
     };
-    if scene.systems.is_empty() && scene.flocks.is_empty() {
+    if scene.systems.is_empty() && scene.flocks.is_empty() && scene.fires.is_empty() {
         return Err(table.missing("system"));
     }
     check::unique_names(root)?;

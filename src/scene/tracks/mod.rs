@@ -49,6 +49,8 @@ pub enum Owner {
     System(usize),
     /// One of [`Scene::winds`].
     Wind(usize),
+    /// One of [`Scene::fires`].
+    Fire(usize),
 }
 
 /// A value that changes with the frame.
