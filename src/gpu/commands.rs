@@ -299,14 +299,16 @@ pub(super) fn is_used(kernel: &str, plan: &Plan) -> bool {
     uses.all(|one| plan.has(one.stage))
 }
 
+/// Pixels in a line that an invocation sums at a time: `RUN` of `wgsl/draw/glow.wgsl`.
+pub const GLOW_RUN: u32 = 8;
+
 /// Invocations that share a flame: many where flames are few, and never so few that one turns its
 /// loops more often than drivers let it, even where every flame fills the picture.
 fn shares_of(plan: &Plan) -> u32 {
-    const RUN: u32 = 8;
     const MOST_TURNS: u32 = 48_000;
     // One for each disc of a flame, and its own.
     const TURNS_A_RUN: u32 = FLAME_STEPS + 1;
-    let runs = plan.width.div_ceil(RUN) * plan.height;
+    let runs = plan.width.div_ceil(GLOW_RUN) * plan.height;
     let needed = runs.div_ceil(MOST_TURNS / TURNS_A_RUN);
     let wanted = if plan.flame_count > 1024 { 64 } else { 256 };
     needed.max(wanted).next_power_of_two()

@@ -56,11 +56,13 @@ fn glow_run(flame: u32, x: u32, y: u32, end: u32) {
     var far = no_light();
     let columns = f32_of_u32(x) + 0.5f + vec4<f32>(0.0f, 1.0f, 2.0f, 3.0f);
     let line = f32_of_u32(y) + 0.5f;
+    let middle = f32_of_u32(x) + 4.0f;
     for (var age = 0u; age < FLAME_STEPS; age += 1u) {
         let at = flame * FLAME_STEPS + age;
         let place = bitcast<vec4<f32>>(flame_discs[at].place);
         let down = (line - place.y) * place.w;
-        if less(abs(down), 1.0f) {
+        let is_beside = less(1.0f + 4.0f * place.z, abs(middle - place.x) * place.z);
+        if less(abs(down), 1.0f) && !is_beside {
             let center = bitcast<vec4<f32>>(flame_discs[at].center);
             let rim = bitcast<vec4<f32>>(flame_discs[at].rim);
             let across = (columns - place.x) * place.z;

@@ -5,12 +5,14 @@ use glam::{IVec2, Vec3};
 use super::splat::layer_of;
 use crate::cpu::disc::LEAST_HALF_AXIS_PX;
 use crate::cpu::projection::project;
-use crate::exact::{bits_of, less, max_exact, reciprocal, to_i32};
+use crate::exact::{bits_of, less, max_exact, reciprocal, shared_constants, to_i32};
 use crate::layout::{FLAME_STEPS, Flame, FlameDisc};
 use crate::plan::FrameInputs;
 
-/// Half-axes in pixels, at most.
-const MOST_HALF_AXIS_PX: f32 = 16_384.0;
+shared_constants! {
+    /// Half-axes in pixels, at most.
+    pub const MOST_HALF_AXIS_PX: f32 = 16_384.0;
+}
 
 /// A half-axis that is drawn, and how much fainter it is for that.
 #[inline]

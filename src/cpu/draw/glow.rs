@@ -10,23 +10,29 @@ use crate::layout::FlameDisc;
 
 /// Adds the light of the discs of one flame, which touch the pixels within `bounds`.
 pub fn glow(discs: &[FlameDisc], [left, top, right, bottom]: [u32; 4], light: &LightSums) {
+    let mut sums = vec![Vec3::ZERO; (right - left) as usize];
     for y in top..bottom {
-        let center_y = f32_of_u32(y) + 0.5;
-        for x in left..right {
-            // Halves of integers below 2^24 are exact, from whichever pixel they are counted.
-            let center_x = f32_of_u32(x) + 0.5;
-            let mut sum = Vec3::ZERO;
-            for disc in discs {
-                let [place_x, place_y, inverse_width, inverse_height] =
-                    disc.place.map(f32::from_bits);
-                let down = (center_y - place_y) * inverse_height;
-                if less(down.abs(), 1.0) {
-                    let across = (center_x - place_x) * inverse_width;
-                    let [center, rim] =
-                        [disc.center, disc.rim].map(|bits| Vec4::from(bits.map(f32::from_bits)));
-                    sum += disc_light(center, rim, center_share(across, down));
-                }
+        sums.fill(Vec3::ZERO);
+        let line = f32_of_u32(y) + 0.5;
+        // From the root up in every pixel, as sums of floats depend on the order.
+        for disc in discs {
+            let [place_x, place_y, inverse_width, inverse_height] = disc.place.map(f32::from_bits);
+            let down = (line - place_y) * inverse_height;
+            if !less(down.abs(), 1.0) {
+                continue;
             }
+            let [center, rim] =
+                [disc.center, disc.rim].map(|bits| Vec4::from(bits.map(f32::from_bits)));
+            // What is farther has no share, and two pixels are more than rounding.
+            let reach = 1.0 / inverse_width + 2.0;
+            let first = ((place_x - reach) as u32).clamp(left, right);
+            let last = ((place_x + reach) as u32).clamp(first, right);
+            for x in first..last {
+                let across = (f32_of_u32(x) + 0.5 - place_x) * inverse_width;
+                sums[(x - left) as usize] += disc_light(center, rim, center_share(across, down));
+            }
+        }
+        for (x, sum) in (left..right).zip(&sums) {
             if less(0.0, sum.x + sum.y + sum.z) {
                 let first = (y * light.width + x) as usize * 3;
                 for (channel, value) in sum.to_array().into_iter().enumerate() {
