@@ -186,6 +186,7 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             noise,
             motion,
             look,
+            inner,
             kinds,
             members,
             faces,

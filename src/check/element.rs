@@ -88,10 +88,10 @@ const FLAME_DISC: Fields = &[
 ];
 
 const FLAME_BOUNDS: Fields = &[
-    ("left", false),
-    ("top", false),
-    ("right", false),
-    ("bottom", false),
+    ("columns", false),
+    ("lines", false),
+    ("inner_alpha", true),
+    ("inverse_inner_radius", true),
 ];
 
 const COUNTS: Fields = &[

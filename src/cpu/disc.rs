@@ -28,11 +28,18 @@ pub fn center_share(x: f32, y: f32) -> f32 {
     at_least_zero(1.0 - max_exact(side_a, max_exact(side_b, side_c)))
 }
 
-/// The light of a particle of these colours and opacities where its centre has that share; none
-/// outside.
+/// The share that the centre of the inner layer has.
 #[inline]
-pub fn disc_light(center: Vec4, rim: Vec4, share: f32) -> Vec3 {
+pub fn inner_share(share: f32, inverse_radius: f32) -> f32 {
+    at_least_zero(1.0 - (1.0 - share) * inverse_radius)
+}
+
+/// The light of a particle of these colours and opacities where its centre has that share; none
+/// outside. `inner` is the inner layer's opacity as a factor, and the inverse of its radius.
+#[inline]
+pub fn disc_light(center: Vec4, rim: Vec4, inner: [f32; 2], share: f32) -> Vec3 {
     let here = rim + (center - rim) * share;
-    let alpha = if less(0.0, share) { here.w } else { 0.0 };
+    let both = here.w + (center.w * inner[0]) * inner_share(share, inner[1]);
+    let alpha = if less(0.0, share) { both } else { 0.0 };
     here.truncate() * alpha
 }

@@ -112,8 +112,10 @@ pub struct FireFrame {
     /// C times the number of steps; factor of the scene's wind; speed at first; length of a unit
     /// step as a share of the height.
     pub motion: [f32; 4],
-    /// Brightness; the others unused.
+    /// Brightness; C_noise times the number of steps; cells of that noise a world unit; w unused.
     pub look: [f32; 4],
+    /// Opacity of the inner layer as a factor; the inverse of its radius; the others unused.
+    pub inner: [f32; 4],
     /// Kind of roots (`ROOTS_` constants), the fire's key, that of the noise, flags
     /// (`FIRE_` constants).
     pub kinds: [u32; 4],

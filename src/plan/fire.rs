@@ -107,7 +107,14 @@ fn fire_frame(
             unit_step(fire),
         ]
         .map(snap),
-        look: [fire.brightness, 0.0, 0.0, 0.0].map(snap),
+        look: [
+            fire.brightness,
+            fire.color_noise * STEPS_UP,
+            fire.color_noise_scale,
+            0.0,
+        ]
+        .map(snap),
+        inner: [fire.inner_alpha, 1.0 / fire.inner_radius, 0.0, 0.0].map(snap),
         kinds: [
             kind,
             name_key(seed, &fire.name, FIRE_TAG),

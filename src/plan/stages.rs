@@ -190,6 +190,7 @@ pub static STAGES: &[StageInfo] = &[
         name: "flame_discs",
         reads: &[
             "frame",
+            "fires",
             "age_looks",
             "flames",
             "flame_steps",

@@ -44,6 +44,15 @@ pub struct Fire {
     pub wind_factor: f32,
     /// Factor of all its light, 0 ..= 1,000. Default 1.
     pub brightness: f32,
+    /// C_noise, how far noise moves a particle along the colours, as a share of them, 0 ..= 10.
+    /// Default 0.
+    pub color_noise: f32,
+    /// Cells of that noise a world unit, 0 ..= 10,000. Default 4.
+    pub color_noise_scale: f32,
+    /// Radius of a second layer of triangles, as a share of the first's, 0.01 ..= 1. Default 0.5.
+    pub inner_radius: f32,
+    /// Opacity of that layer's centre, as a factor of the first's, 0 ..= 100. Default 0.
+    pub inner_alpha: f32,
     /// Colours by age, in ascending order of ages, 1 to 16.
     pub ramp: Vec<RampStop>,
     /// When its flames burn.

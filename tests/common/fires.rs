@@ -28,7 +28,7 @@ pub(crate) fn all_kinds_of_fires() -> Scene {
             .to_owned(),
         "name = \"ball\"\nposition = [0.5, 0.3, -1]\nwind_factor = 3\ninverse_cohesion = 4\n\
          roots = { kind = \"mesh\", mesh = \"sphere\", scale = 0.5, count = 60 }\nheight = 0.7\n\
-         width = 0.2\nnoisiness = 0.1\ngravity = [0.2, -1, 0.1]\n"
+         width = 0.2\nnoisiness = 0.1\ncolor_noise = 0.6\ngravity = [0.2, -1, 0.1]\n"
             .to_owned(),
         // Below a ceiling: in still air, the rise stops what goes down.
         "name = \"ceiling\"\nwind_factor = 0\nnoisiness = 0\nheight = 0.5\n\
@@ -39,7 +39,7 @@ pub(crate) fn all_kinds_of_fires() -> Scene {
          [[fire.flame]]\nposition = [-0.8, 1.2, 0]\nnormal = [0, -1, 0]\n"
             .to_owned(),
         // Larger than the picture.
-        "name = \"huge\"\nheight = 6\nwidth = 9\nbrightness = 0.05\n\
+        "name = \"huge\"\nheight = 6\nwidth = 9\nbrightness = 0.05\ninner_alpha = 2\ninner_radius = 0.3\n\
          [[fire.flame]]\nposition = [0, -2, -2]\n"
             .to_owned(),
     ];

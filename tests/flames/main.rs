@@ -4,6 +4,7 @@
 mod common;
 
 mod fan;
+mod further;
 mod looks;
 mod roots;
 mod shipped;

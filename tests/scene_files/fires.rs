@@ -32,6 +32,8 @@ fn a_fire_alone_is_a_scene_with_the_documented_defaults() {
     let noise = (own.noisiness, own.sampling, own.inverse_cohesion);
     assert_eq!(noise, (0.04, 0.05, 1.0));
     assert_eq!((own.wind_factor, own.brightness), (1.0, 1.0));
+    assert_eq!((own.color_noise, own.color_noise_scale), (0.0, 4.0));
+    assert_eq!((own.inner_radius, own.inner_alpha), (0.5, 0.0));
     let burning = Burning {
         first_frame: 0,
         kindling_frames: 0,

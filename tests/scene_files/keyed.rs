@@ -40,6 +40,8 @@ pub(crate) const CHANGING: &[(&str, &str, &str, &str)] = &[
     ("fire", "noisiness", "0", "1"),
     ("fire", "wind_factor", "0", "8"),
     ("fire", "brightness", "0", "1"),
+    ("fire", "color_noise", "0", "1"),
+    ("fire", "inner_alpha", "0", "1"),
     ("wind.uniform", "velocity", "[0, 0, 0]", "[1, 2, 3]"),
     ("wind.buoyancy", "gravity", "[0, -1, 0]", "[1, 0, 0]"),
     ("wind.buoyancy", "strength", "-1", "1"),

@@ -337,6 +337,10 @@ fn fire() -> Fire {
         inverse_cohesion: 1.5,
         wind_factor: 4.0,
         brightness: 1.25,
+        color_noise: 0.4,
+        color_noise_scale: 3.0,
+        inner_radius: 0.3,
+        inner_alpha: 1.5,
         ramp: vec![RampStop {
             age: 0.25,
             center: [1.0, 0.75, 0.5],

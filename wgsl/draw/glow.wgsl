@@ -51,7 +51,7 @@ fn no_light() -> Lit {
 }
 
 // What a flame adds to a run of pixels from column `x` of line `y` on, up to column `end`.
-fn glow_run(flame: u32, x: u32, y: u32, end: u32) {
+fn glow_run(flame: u32, inner: vec2<f32>, x: u32, y: u32, end: u32) {
     var near = no_light();
     var far = no_light();
     let columns = f32_of_u32(x) + 0.5f + vec4<f32>(0.0f, 1.0f, 2.0f, 3.0f);
@@ -67,8 +67,8 @@ fn glow_run(flame: u32, x: u32, y: u32, end: u32) {
             let rim = bitcast<vec4<f32>>(flame_discs[at].rim);
             let across = (columns - place.x) * place.z;
             let across_far = (columns + 4.0f - place.x) * place.z;
-            near = with_disc(near, center, rim, center_shares(across, down));
-            far = with_disc(far, center, rim, center_shares(across_far, down));
+            near = with_disc(near, center, rim, inner, center_shares(across, down));
+            far = with_disc(far, center, rim, inner, center_shares(across_far, down));
         }
     }
     add_four(near, x, y, end);
@@ -90,10 +90,13 @@ fn glow(@builtin(global_invocation_id) global_id: vec3<u32>) {
         return;
     }
     let bounds = flame_bounds[flame];
-    let runs_across = (bounds.z - bounds.x + RUN - 1u) / RUN;
-    let runs = runs_across * (bounds.w - bounds.y);
+    let first = bounds.xy & vec2<u32>(0xffffu);
+    let last = bounds.xy >> vec2<u32>(16u);
+    let inner = bitcast<vec2<f32>>(bounds.zw);
+    let runs_across = (last.x - first.x + RUN - 1u) / RUN;
+    let runs = runs_across * (last.y - first.y);
     for (var run = index % work.shares; run < runs; run += work.shares) {
-        let x = bounds.x + (run % runs_across) * RUN;
-        glow_run(flame, x, bounds.y + run / runs_across, bounds.z);
+        let x = first.x + (run % runs_across) * RUN;
+        glow_run(flame, inner, x, first.y + run / runs_across, last.x);
     }
 }

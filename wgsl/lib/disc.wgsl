@@ -53,11 +53,24 @@ fn are_inside(share: vec4<f32>) -> vec4<bool> {
     return vec4<bool>(less(0.0f, share.x), less(0.0f, share.y), less(0.0f, share.z), less(0.0f, share.w));
 }
 
+// The share that the centre of the inner layer has: the same distance, from another radius.
+fn inner_share(share: f32, inverse_radius: f32) -> f32 {
+    return at_least_zero(1.0f - (1.0f - share) * inverse_radius);
+}
+
 // The sum with the light of a particle of these colours and opacities, where its centre has those
-// shares; none outside.
-fn with_disc(sum: Lit, center: vec4<f32>, rim: vec4<f32>, share: vec4<f32>) -> Lit {
+// shares; none outside. A second layer (4.1) has `inner.x` times the opacity of the centre, and a
+// radius of which `inner.y` is the inverse.
+fn with_disc(sum: Lit, center: vec4<f32>, rim: vec4<f32>, inner: vec2<f32>, share: vec4<f32>) -> Lit {
     let inward = center - rim;
-    let alpha = select(vec4<f32>(0.0f), rim.w + inward.w * share, are_inside(share));
+    let inner_shares = vec4<f32>(
+        inner_share(share.x, inner.y),
+        inner_share(share.y, inner.y),
+        inner_share(share.z, inner.y),
+        inner_share(share.w, inner.y),
+    );
+    let both = rim.w + inward.w * share + (center.w * inner.x) * inner_shares;
+    let alpha = select(vec4<f32>(0.0f), both, are_inside(share));
     return Lit(
         sum.red + (rim.x + inward.x * share) * alpha,
         sum.green + (rim.y + inward.y * share) * alpha,

@@ -369,8 +369,10 @@ struct FireFrame {
     // C times the number of steps; factor of the scene's wind; speed at first; length of a unit step
     // as a share of the height.
     motion: vec4<f32>,
-    // x: brightness.
+    // Brightness; C_noise times the number of steps; cells of that noise a world unit.
     look: vec4<f32>,
+    // Opacity of the inner layer as a factor; the inverse of its radius.
+    inner: vec4<f32>,
     // ROOTS_..., the fire's key, that of the noise, FIRE_....
     kinds: vec4<u32>,
     // First flame and how many; first listed flame and how many.

@@ -1,12 +1,15 @@
 //! flame_discs: the particles along a flame as they are seen. Twin of `wgsl/draw/flame_discs.wgsl`.
 
-use glam::{IVec2, Vec3};
+use glam::{IVec2, Vec3, Vec4};
 
 use super::splat::layer_of;
 use crate::cpu::disc::LEAST_HALF_AXIS_PX;
 use crate::cpu::projection::project;
-use crate::exact::{bits_of, less, max_exact, reciprocal, shared_constants, to_i32};
-use crate::layout::{FLAME_STEPS, Flame, FlameDisc};
+use crate::exact::{
+    bits_of, clamp_exact, f32_of_u32, less, max_exact, reciprocal, shared_constants, to_i32, to_u32,
+};
+use crate::layout::{AgeLook, FLAME_STEPS, FireFrame, Flame, FlameDisc};
+use crate::noise::noise;
 use crate::plan::FrameInputs;
 
 shared_constants! {
@@ -21,8 +24,25 @@ fn half_axis(pixels: f32) -> (f32, f32) {
     (drawn, pixels * reciprocal(drawn))
 }
 
-/// The discs of a flame whose particle is at these places, from age 0 on, and the pixels that they
-/// touch: first column and line, one past the last ones; all 0 for none.
+/// The colours of centre and rim of a particle of that age at a place; `looks` are the fire's.
+#[inline]
+fn colors_of(fire: &FireFrame, looks: &[AgeLook], age: u32, p: Vec3) -> [Vec4; 2] {
+    let at = p * fire.look[2] + Vec3::from_slice(&fire.noise);
+    let moved = f32_of_u32(age) + noise(at, fire.kinds[2]).w * fire.look[1];
+    let last = f32_of_u32(FLAME_STEPS - 1);
+    let index = clamp_exact(moved, 0.0, last);
+    let low = to_u32(index).min(FLAME_STEPS - 2);
+    let part = index - f32_of_u32(low);
+    let [here, next] = [looks[low as usize], looks[low as usize + 1]];
+    let mixed = |here: [f32; 4], next: [f32; 4]| {
+        Vec4::from(here) + (Vec4::from(next) - Vec4::from(here)) * part
+    };
+    [mixed(here.center, next.center), mixed(here.rim, next.rim)]
+}
+
+/// The discs of a flame whose particle is at these places, from age 0 on, and what is
+/// known of all of them: first column, and one past the last in the upper 16 bits; the same of lines,
+/// both 0 for none; x and y of [`FireFrame::inner`] as bits.
 pub fn flame_discs(
     inputs: &FrameInputs,
     flame: &Flame,
@@ -40,9 +60,12 @@ pub fn flame_discs(
     let (mut low, mut high) = (size, IVec2::ZERO);
     let first_look = (flame.fire() * FLAME_STEPS) as usize;
     let looks = &inputs.age_looks[first_look..];
-    for ((step, look), disc) in steps.iter().zip(looks).zip(discs) {
+    let fire = &inputs.fires[flame.fire() as usize];
+    for (age, ((step, look), disc)) in (0..).zip(steps.iter().zip(looks).zip(discs)) {
         let [x, y, z, _] = step.map(f32::from_bits);
-        let seen = project(frame, Vec3::new(x, y, z));
+        let place = Vec3::new(x, y, z);
+        let seen = project(frame, place);
+        let [center, rim] = colors_of(fire, looks, age, place);
         let (across, fainter) = half_axis(half_width * look.scale[0] * seen.scale);
         let (along, fainter_still) = half_axis(half_width * look.scale[1] * seen.scale);
         let is_near = less(MOST_HALF_AXIS_PX, across) || less(MOST_HALF_AXIS_PX, along);
@@ -52,12 +75,14 @@ pub fn flame_discs(
         } else {
             0.0
         };
-        let with =
-            |[red, green, blue, alpha]: [f32; 4]| [red, green, blue, alpha * opacity].map(bits_of);
+        let with = |color: Vec4| {
+            let [red, green, blue, alpha] = color.to_array();
+            [red, green, blue, alpha * opacity].map(bits_of)
+        };
         *disc = FlameDisc {
             place: [seen.x, seen.y, reciprocal(across), reciprocal(along)].map(bits_of),
-            center: with(look.center),
-            rim: with(look.rim),
+            center: with(center),
+            rim: with(rim),
         };
         if is_seen {
             let first = IVec2::new(to_i32(seen.x - across), to_i32(seen.y - along));
@@ -68,9 +93,11 @@ pub fn flame_discs(
     }
     low = low.max(IVec2::ZERO);
     high = high.min(size);
-    if low.x < high.x && low.y < high.y {
-        [low.x, low.y, high.x, high.y].map(|at| at as u32)
+    let bounds = if low.x < high.x && low.y < high.y {
+        [low.x | (high.x << 16), low.y | (high.y << 16)]
     } else {
-        [0; 4]
-    }
+        [0; 2]
+    };
+    let [across, down] = bounds.map(i32::cast_unsigned);
+    [across, down, bits_of(fire.inner[0]), bits_of(fire.inner[1])]
 }

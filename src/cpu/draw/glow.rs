@@ -8,8 +8,12 @@ use crate::cpu::light::{LightSums, steps_of};
 use crate::exact::{f32_of_u32, less};
 use crate::layout::FlameDisc;
 
-/// Adds the light of the discs of one flame, which touch the pixels within `bounds`.
-pub fn glow(discs: &[FlameDisc], [left, top, right, bottom]: [u32; 4], light: &LightSums) {
+/// Adds the light of the discs of one flame, of which [`flame_discs`](super::flame_discs) tells the
+/// `bounds`.
+pub fn glow(discs: &[FlameDisc], [across, down, inner @ ..]: [u32; 4], light: &LightSums) {
+    let (left, right) = (across & 0xffff, across >> 16);
+    let (top, bottom) = (down & 0xffff, down >> 16);
+    let inner = inner.map(f32::from_bits);
     let mut sums = vec![Vec3::ZERO; (right - left) as usize];
     for y in top..bottom {
         sums.fill(Vec3::ZERO);
@@ -29,7 +33,8 @@ pub fn glow(discs: &[FlameDisc], [left, top, right, bottom]: [u32; 4], light: &L
             let last = ((place_x + reach) as u32).clamp(first, right);
             for x in first..last {
                 let across = (f32_of_u32(x) + 0.5 - place_x) * inverse_width;
-                sums[(x - left) as usize] += disc_light(center, rim, center_share(across, down));
+                sums[(x - left) as usize] +=
+                    disc_light(center, rim, inner, center_share(across, down));
             }
         }
         for (x, sum) in (left..right).zip(&sums) {

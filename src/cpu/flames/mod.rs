@@ -27,7 +27,7 @@ pub(super) struct Flames {
     pub(super) steps: Vec<[u32; 4]>,
     /// The same as they are seen.
     pub(super) discs: Vec<FlameDisc>,
-    /// Which pixels each flame touches.
+    /// Which pixels each flame touches, and its inner layer.
     pub(super) bounds: Vec<[u32; 4]>,
 }
 

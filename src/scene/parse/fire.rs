@@ -44,6 +44,10 @@ fn fire(at: usize, spot: &Spot<'_>, files: &Files) -> Result<Fire, SceneError> {
         inverse_cohesion: table.must("inverse_cohesion", Quantity::read)?,
         wind_factor: table.must("wind_factor", Quantity::read)?,
         brightness: table.must("brightness", Quantity::read)?,
+        color_noise: table.must("color_noise", Quantity::read)?,
+        color_noise_scale: table.must("color_noise_scale", Quantity::read)?,
+        inner_radius: table.must("inner_radius", Quantity::read)?,
+        inner_alpha: table.must("inner_alpha", Quantity::read)?,
         ramp: table.must("ramp", |spot| list(spot, |_, spot| ramp_stop(spot)))?,
         burning: Burning {
             first_frame: table.must("first_frame", signed32)?,

@@ -28,6 +28,10 @@ pub const FIRE: &[Field] = &[
     default("inverse_cohesion", numbers(1, 0.0, 1e4), "1", "noise cells a world unit", "k_p: flames nearer to each other than about 1/k_p move together; 0: all alike", "Perry 3.4"),
     keyed(default("wind_factor", numbers(1, 0.0, 1e4), "1", "", "what a wind of one world unit a frame counts, where hot air's rise counts k_g", "Perry 3.2.3")),
     keyed(default("brightness", numbers(1, 0.0, 1e3), "1", "", "factor of its light", "")),
+    keyed(default("color_noise", numbers(1, 0.0, 10.0), "0", "a share of the ramp", "C_noise, how far noise moves particles along the ramp: flames get streaks, and tips that part", "Perry 4.2")),
+    default("color_noise_scale", numbers(1, 0.0, 1e4), "4", "noise cells a world unit", "how fine that noise is", "Perry 4.2"),
+    default("inner_radius", numbers(1, 0.01, 1.0), "0.5", "a share of the radius", "how large the inner of two layers of a particle's triangles is", "Perry 4.1"),
+    keyed(default("inner_alpha", numbers(1, 0.0, 100.0), "0", "a share of the opacity", "how opaque its centre is; 0: there is one layer", "Perry 4.1")),
     default("ramp", Kind::Tables { fields: RAMP, max: 16 }, "[\
         { age = 0, center = [1, 0.45, 0.2], rim = [1, 0.25, 0.08], alpha = 0.1 }, \
         { age = 0.2, center = [1, 0.7, 0.32], rim = [1, 0.34, 0.06], alpha = 0.3 }, \

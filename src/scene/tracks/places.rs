@@ -81,6 +81,8 @@ fn fire_numbers<'a>(fire: &'a mut Fire, key: &str) -> Option<&'a mut [f32]> {
         "noisiness" => one(&mut fire.noisiness),
         "wind_factor" => one(&mut fire.wind_factor),
         "brightness" => one(&mut fire.brightness),
+        "color_noise" => one(&mut fire.color_noise),
+        "inner_alpha" => one(&mut fire.inner_alpha),
         _ => return None,
     })
 }
