@@ -177,6 +177,7 @@ impl Lane {
             systems: plan.system_count.into(),
             pages,
             boids: plan.boid_count.into(),
+            flames: plan.flame_count.into(),
             cells: plan.cell_count.into(),
             covers,
             boid_covers: count(COVERS_OF_BOIDS),

@@ -101,6 +101,7 @@ fn members(scene: &Scene) -> String {
     let parts = [
         of(scene.systems.len(), "system"),
         of(scene.flocks.len(), "flock"),
+        of(scene.fires.len(), "fire"),
     ];
     parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }

@@ -49,7 +49,7 @@ use tiling::Tiling;
 use timing::Timer;
 
 pub use adapter::{AdapterDescription, adapters, open};
-pub use commands::{KernelUse, STAGE_KERNELS};
+pub use commands::{GLOW_RUN, KernelUse, STAGE_KERNELS};
 pub use device::GpuDevice;
 pub use kernel::check_binding;
 pub use needs::{UnfitDevice, device_descriptor, required_features, required_limits};
@@ -79,6 +79,7 @@ pub struct GpuBackend {
     curve_points: Vec<[f32; 4]>,
     meshes: Arc<MeshTables>,
     boid_count: u32,
+    flame_count: u32,
     cell_count: u32,
     width: u32,
     height: u32,
@@ -200,6 +201,7 @@ impl GpuBackend {
             curve_points: plan.curve_points.clone(),
             meshes: Arc::clone(&plan.meshes),
             boid_count: plan.boid_count,
+            flame_count: plan.flame_count,
             cell_count: plan.cell_count,
             width: plan.width,
             height: plan.height,

@@ -7,7 +7,7 @@
 
 use super::commands::STAGE_KERNELS;
 use super::sort;
-use crate::layout::{Boid, Cover, Dispatch, Particle, SystemFrame};
+use crate::layout::{Boid, Cover, Dispatch, FLAME_STEPS, Flame, FlameDisc, Particle, SystemFrame};
 use crate::plan::{Stage, Uses};
 
 /// How much there is to do in a frame.
@@ -33,6 +33,8 @@ pub struct Load {
     pub boids: u64,
     /// Cells of their grids.
     pub cells: u64,
+    /// Flames of all fires.
+    pub flames: u64,
     /// Records of what covers, those of nothing included.
     pub covers: u64,
     /// Those of them that are of boids.
@@ -57,6 +59,11 @@ const PARTICLE: u64 = size_of::<Particle>() as u64;
 
 /// Bytes a boid.
 const BOID: u64 = size_of::<Boid>() as u64;
+
+/// Bytes a flame, those of the places of its particle, and of them as they are seen.
+const FLAME: u64 = size_of::<Flame>() as u64;
+const FLAME_PLACES: u64 = FLAME_STEPS as u64 * 16;
+const FLAME_DISCS: u64 = FLAME_STEPS as u64 * size_of::<FlameDisc>() as u64;
 
 /// Bytes a record of what covers.
 const COVER: u64 = size_of::<Cover>() as u64;
@@ -201,6 +208,12 @@ static TABLE: &[Line] = &[
     ("flock/steer", |load| {
         (load.boids, load.boids * 2 * BOID + load.full_cells() * WORD)
     }),
+    ("flames/kindle", |load| (load.flames, load.flames * FLAME)),
+    ("flames/trace", |load| {
+        // Wind is looked up at every place.
+        let places = load.flames * u64::from(FLAME_STEPS);
+        (places, load.flames * (FLAME + FLAME_PLACES))
+    }),
     ("draw/shapes", |load| {
         (load.live, load.live * (PARTICLE + COVER))
     }),
@@ -255,6 +268,13 @@ static TABLE: &[Line] = &[
     }),
     ("draw/splat_large", |load| {
         (load.large, load.large * (PARTICLE + WORD))
+    }),
+    ("draw/flame_discs", |load| {
+        let each = FLAME + FLAME_PLACES + FLAME_DISCS + 4 * WORD;
+        (load.flames, load.flames * each)
+    }),
+    ("draw/glow", |load| {
+        (load.flames, load.flames * (FLAME_DISCS + 4 * WORD))
     }),
     ("draw/resolve", |load| {
         let own = load.pixels * (2 * LIMB + WORD);

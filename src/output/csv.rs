@@ -57,6 +57,17 @@ pub struct BoidCounts {
     pub live: u64,
 }
 
+/// What happened to a population of flames in one frame: nobody is left out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FlameCounts {
+    /// Those that were kindled; in a run's first frame, all that burn.
+    pub born: u64,
+    /// Those that went out.
+    pub died: u64,
+    /// Those that burn.
+    pub live: u64,
+}
+
 /// What a row is about, with the numbers that such a row has.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Measured {
@@ -73,6 +84,8 @@ pub enum Measured {
         /// What the flock has come to, with 32 bits of precision.
         metrics: FlockMetrics,
     },
+    /// A population of flames (`flames`).
+    Flames(FlameCounts),
     /// A drawn frame (`image`); its counts stay empty, and its digest is that of its RGBA8 pixels.
     Image,
 }
@@ -178,6 +191,10 @@ impl StatsRow<'_> {
             Measured::Flock { born, metrics } => {
                 let counts = format!("flock,{born},{born},0,{},0", metrics.count);
                 (counts, ",,".to_owned(), Some(metrics))
+            }
+            Measured::Flames(FlameCounts { born, died, live }) => {
+                let counts = format!("flames,{born},{born},{died},{live},0");
+                (counts, ",,".to_owned(), None)
             }
             Measured::Image => ("image,,,,,".to_owned(), ",,".to_owned(), None),
         };

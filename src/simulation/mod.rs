@@ -16,7 +16,7 @@ pub use error::SimulationError;
 pub use flock_metrics::FlockMetrics;
 pub use lines::Line;
 pub use radiance::linear_of;
-pub use read::{BoidState, ParticleState};
+pub use read::{BoidState, FlameState, ParticleState};
 pub use snapshot::{Snapshot, SnapshotError};
 
 use crate::backend::Backend;

@@ -1,5 +1,6 @@
 //! TOML → [`Scene`]: each key of the [`schema`](super::schema) goes to its place in the types.
 
+mod fire;
 mod flock;
 mod system;
 mod wind;
@@ -7,6 +8,7 @@ mod wind;
 use std::path::PathBuf;
 use std::rc::Rc;
 
+use self::fire::fires;
 use self::flock::flocks;
 use self::system::systems;
 use self::wind::wind;
@@ -71,7 +73,7 @@ impl Draft {
 
 fn scene(root: &Node, name: &str, files: &Files) -> Result<Scene, SceneError> {
     let table = Reader::new(String::new(), SCENE, root)?;
-    let table = if table.has("flock") {
+    let table = if table.has("flock") || table.has("fire") {
         table
     } else {
         table.needs("system")
@@ -92,6 +94,7 @@ fn scene(root: &Node, name: &str, files: &Files) -> Result<Scene, SceneError> {
             .may("system", |spot| systems(spot, files))?
             .unwrap_or_default(),
         flocks: table.must("flock", flocks)?,
+        fires: table.must("fire", |spot| fires(spot, files))?,
         light: table.must("light", light)?,
         planet: table.may("planet", planet)?,
         lamps: table.must("lamp", |spot| list(spot, lamp))?,
@@ -99,7 +102,7 @@ fn scene(root: &Node, name: &str, files: &Files) -> Result<Scene, SceneError> {
         layers: table.must("layer", |spot| list(spot, layer))?,
         tracks: Vec::new(),
     };
-    if scene.systems.is_empty() && scene.flocks.is_empty() {
+    if scene.systems.is_empty() && scene.flocks.is_empty() && scene.fires.is_empty() {
         return Err(table.missing("system"));
     }
     check::unique_names(root)?;
