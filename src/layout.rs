@@ -1,6 +1,7 @@
 //! Every struct that Rust and WGSL share, once. `wgsl/lib/layout.wgsl` is the twin of this file,
 //! and a test compares the two field by field (name, offset, size) through naga.
 
+pub mod flame;
 pub mod flock;
 pub mod planet;
 pub mod tree;
@@ -9,6 +10,7 @@ use bytemuck::{Pod, Zeroable};
 
 use crate::exact::shared_constants;
 
+pub use flame::*;
 pub use flock::*;
 pub use planet::*;
 pub use tree::*;

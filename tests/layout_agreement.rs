@@ -8,8 +8,9 @@ use motes::gpu::shader::sources::{KERNELS, LIBRARIES, YARDSTICKS};
 use motes::gpu::shader::{self, Access, CompileOptions, CompiledKernel};
 use motes::gpu::{STAGE_KERNELS, check_binding};
 use motes::layout::{
-    self, Boid, Bound, Brood, Counts, Cover, Dispatch, FlockFrame, Frame, FrameStats, Lamp, Node,
-    Particle, Planet, Pose, Relation, SystemFrame, SystemRow, Wind,
+    self, AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, FireFrame, Flame, FlameDisc,
+    FlockFrame, Frame, FrameStats, Lamp, ListedFlame, Node, Particle, Planet, Pose, Relation,
+    SystemFrame, SystemRow, Wind,
 };
 use motes::plan::{BUFFERS, BufferRole, STAGES, Uses, buffer};
 
@@ -214,6 +215,39 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             ties,
             drawn,
         }),
+        rust_layout!(Flame {
+            root_and_fire,
+            normal_and_birth,
+            motion_and_index,
+            look,
+        }),
+        rust_layout!(FireFrame {
+            world_from_fire_x,
+            world_from_fire_y,
+            world_from_fire_z,
+            earlier_world_from_fire_x,
+            earlier_world_from_fire_y,
+            earlier_world_from_fire_z,
+            roots,
+            extents,
+            rise,
+            noise,
+            motion,
+            look,
+            inner,
+            kinds,
+            members,
+            faces,
+            times,
+        }),
+        rust_layout!(ListedFlame {
+            position,
+            normal,
+            look,
+            kinds,
+        }),
+        rust_layout!(AgeLook { center, rim, scale }),
+        rust_layout!(FlameDisc { place, center, rim }),
         rust_layout!(Relation {
             kinds,
             reach,
@@ -289,6 +323,8 @@ fn constants_agree_bit_for_bit() {
         motes::cpu::light::CONSTANTS,
         motes::cpu::particle::CONSTANTS,
         motes::cpu::systems::births::CONSTANTS,
+        motes::cpu::reach::CONSTANTS,
+        motes::cpu::disc::CONSTANTS,
         motes::cpu::footprint::CONSTANTS,
         motes::cpu::wind::CONSTANTS,
         motes::area::CONSTANTS,
@@ -300,6 +336,10 @@ fn constants_agree_bit_for_bit() {
         layout::flock::CONSTANTS,
         layout::tree::CONSTANTS,
         motes::cpu::tree::CONSTANTS,
+        layout::flame::CONSTANTS,
+        motes::cpu::flame::CONSTANTS,
+        motes::cpu::flame_disc::CONSTANTS,
+        motes::cpu::draw::flame_discs::CONSTANTS,
         motes::cpu::boid::CONSTANTS,
         motes::cpu::steering::CONSTANTS,
     ]
@@ -313,11 +353,13 @@ fn constants_agree_bit_for_bit() {
         ("DISPATCH_WIDTH", motes::gpu::dispatch::DISPATCH_WIDTH),
         ("FAMILIES_END", buffer_len("cover_counts")),
         ("STATISTICS_LEN", buffer_len("statistics")),
+        ("RUN", motes::gpu::GLOW_RUN),
         // Fields of 21, 21 and 22 bits fill a word of 64: devices alone pack light so.
         ("GREEN_AT", 21),
         ("BLUE_AT", 42),
         ("FIELD_LEN", 1 << 21),
         ("BLUE_LEN", 1 << (64 - 42)),
+        ("UNFIT", 1 << 3),
     ])
     .collect();
     let mut given = vec!["WORKGROUP_SIZE"];

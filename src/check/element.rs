@@ -46,6 +46,54 @@ const BOID: Fields = &[
     ("index", false),
 ];
 
+const FLAME: Fields = &[
+    ("root.x", true),
+    ("root.y", true),
+    ("root.z", true),
+    ("fire", false),
+    ("normal.x", true),
+    ("normal.y", true),
+    ("normal.z", true),
+    ("birth_frame", false),
+    ("motion.x", true),
+    ("motion.y", true),
+    ("motion.z", true),
+    ("index", false),
+    ("height", true),
+    ("width", true),
+    ("brightness", true),
+    ("burns", false),
+];
+
+const FLAME_STEP: Fields = &[
+    ("position.x", true),
+    ("position.y", true),
+    ("position.z", true),
+    ("position.w", false),
+];
+
+const FLAME_DISC: Fields = &[
+    ("place.x", true),
+    ("place.y", true),
+    ("inverse_half_width", true),
+    ("inverse_half_height", true),
+    ("center.red", true),
+    ("center.green", true),
+    ("center.blue", true),
+    ("center.alpha", true),
+    ("rim.red", true),
+    ("rim.green", true),
+    ("rim.blue", true),
+    ("rim.alpha", true),
+];
+
+const FLAME_BOUNDS: Fields = &[
+    ("columns", false),
+    ("lines", false),
+    ("inner_alpha", true),
+    ("inverse_inner_radius", true),
+];
+
 const COUNTS: Fields = &[
     ("live", false),
     ("requested", false),
@@ -147,6 +195,10 @@ fn fields(name: &str) -> Fields {
         _ if name == "planet_pixels" => PLANET_PIXEL,
         _ if name == "cover_rg" => RED_GREEN,
         _ if name == "cover_bt" => BLUE_CLEAR,
+        ("Flame", _) => FLAME,
+        ("FlameDisc", _) => FLAME_DISC,
+        _ if name == "flame_steps" => FLAME_STEP,
+        _ if name == "flame_bounds" => FLAME_BOUNDS,
         ("Particle", _) => PARTICLE,
         ("Node", _) => NODE,
         ("Boid", _) => BOID,

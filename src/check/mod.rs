@@ -27,7 +27,8 @@ pub type Start<'a> = dyn FnMut() -> Result<Box<dyn Backend>, BackendError> + 'a;
 pub struct Outcome {
     /// Frames that were run, the one that differs included.
     pub frames: u32,
-    /// Most particles alive after any of them, on the expected side, and all boids.
+    /// Most particles alive after any of them, on the expected side, all boids and flames
+    /// that burn.
     pub most_particles: u32,
     /// Births that were dropped for want of room, on the expected side.
     pub dropped: u64,
@@ -140,7 +141,9 @@ pub fn compare(
         outcome.frames = frame + 1;
         (outcome.state_digest, outcome.image_digest) = (states.0, images.0);
         for line in &statistics.0 {
-            outcome.most_particles = outcome.most_particles.max(line.live + plan.boid_count);
+            let [_, _, burning] = plan.flames_at(line.frame.cast_signed());
+            let lives = line.live + plan.boid_count + burning;
+            outcome.most_particles = outcome.most_particles.max(lives);
             outcome.dropped += u64::from(line.dropped);
         }
         progress(frame);

@@ -1,10 +1,13 @@
 //! A scene made small enough to be checked in seconds, with all that makes it what it is.
 
 use crate::plan::{Plan, PlanError};
-use crate::scene::{Scene, System};
+use crate::scene::{Fire, Scene, System};
 
 /// Most particles alive at once in a shrunk scene, about.
 const MOST_PARTICLES: u32 = 20_000;
+
+/// Most flames that stand on roots in a shrunk scene, about.
+const MOST_FLAMES: u32 = 2_000;
 
 /// A shrunk picture fits in this, pixels.
 const MOST_WIDTH: u32 = 320;
@@ -54,7 +57,8 @@ fn begins_at(system: &System) -> impl Iterator<Item = i32> + '_ {
 }
 
 /// The scene with a picture that fits in 320×180 and fewer births, so that about 20,000 particles
-/// are alive at once at most in its first `frames` frames, and as many boids. A scene that is small enough keeps its
+/// are alive at once at most in its first `frames` frames, and as many boids,
+/// and 2,000 flames. A scene that is small enough keeps its
 /// births. Depends on nothing but its arguments.
 ///
 /// # Errors
@@ -75,6 +79,11 @@ pub fn shrunk(scene: &Scene, frames: u32) -> Result<Scene, PlanError> {
     let share = f64::from(MOST_PARTICLES) / f64::from(boids.max(MOST_PARTICLES));
     for flock in &mut small.flocks {
         flock.count = ((f64::from(flock.count) * share) as u32).max(1);
+    }
+    let flames: u32 = small.fires.iter().map(Fire::count).sum();
+    let share = f64::from(MOST_FLAMES) / f64::from(flames.max(MOST_FLAMES));
+    for fire in &mut small.fires {
+        fire.roots.scale(share);
     }
     if let Some(capacity) = scene.capacity
         && scene.systems.iter().any(|system| system.parent.is_some())

@@ -6,8 +6,12 @@
 pub mod boid;
 pub mod cover;
 mod digest;
+pub mod disc;
 pub mod draw;
 pub mod emission;
+pub mod flame;
+pub mod flame_disc;
+pub mod flames;
 pub mod flock;
 pub mod footprint;
 pub mod grid;
@@ -15,6 +19,7 @@ pub mod light;
 pub mod particle;
 pub mod particles;
 pub mod projection;
+pub mod reach;
 pub mod shape;
 pub(crate) mod sprite;
 pub mod steering;
@@ -29,6 +34,7 @@ use rayon::prelude::*;
 use crate::backend::{Backend, BackendError, Living, available_bytes, try_copied, try_zeroed};
 use crate::layout::{COVER_NONE, Counts, Cover, FrameStats, Particle, SystemRow};
 use crate::plan::{FrameInputs, MeshTables, Plan, Population, Stage};
+use flames::Flames;
 use flock::Flocks;
 use light::LightSums;
 use particle::{Identity, row_index};
@@ -58,6 +64,7 @@ pub struct CpuBackend {
     /// Empty if there is no planet.
     planet_pixels: Vec<[u32; 4]>,
     flocks: Flocks,
+    flames: Flames,
     light: LightSums,
     /// Whether anything covers; if not, what follows is empty.
     has_covers: bool,
@@ -104,6 +111,7 @@ impl CpuBackend {
             tree: Tree::new(plan),
             planet_pixels: try_zeroed(if plan.uses.planet { pixels } else { 0 }, "pixels")?,
             flocks: Flocks::new(plan)?,
+            flames: Flames::new(plan)?,
             light: LightSums::new(plan.width, plan.height),
             has_covers: plan.uses.covers,
             covers: Vec::new(),
@@ -142,6 +150,10 @@ impl CpuBackend {
             Stage::Hatch => self.flocks.hatch(inputs),
             Stage::Cells => self.flocks.sort(inputs),
             Stage::Steer => self.flocks.steer(inputs),
+            Stage::Kindle => self.flames.kindle(inputs),
+            Stage::Trace => self.flames.trace(inputs),
+            Stage::FlameDiscs => self.flames.discs(inputs),
+            Stage::Glow => self.flames.glow(&self.light),
             Stage::Shapes if self.has_covers => {
                 let rows = &self.rows;
                 self.covers.clear();
@@ -394,6 +406,10 @@ impl Backend for CpuBackend {
             "boid_cells" => self.flocks.cells.clone(),
             "cell_starts" => self.flocks.starts.clone(),
             "sorted_boids" => try_copied(bytemuck::cast_slice(&self.flocks.sorted), "the boids")?,
+            "flames" => bytemuck::cast_slice(&self.flames.flames).to_vec(),
+            "flame_steps" => try_copied(bytemuck::cast_slice(&self.flames.steps), "the flames")?,
+            "flame_discs" => try_copied(bytemuck::cast_slice(&self.flames.discs), "the flames")?,
+            "flame_bounds" => bytemuck::cast_slice(&self.flames.bounds).to_vec(),
             "covers" => try_copied(bytemuck::cast_slice(&self.covers), "what covers")?,
             "cover_counts" => self.cover_counts(),
             "cover_rg" => bytemuck::cast_slice(&self.cover_rg).to_vec(),
@@ -432,19 +448,25 @@ impl Backend for CpuBackend {
             ..Counts::default()
         };
         self.statistics.clear();
+        // Flames have no past: they are what the last frame makes of them.
+        if let Some(last) = recent.last() {
+            self.run_stage(Stage::Kindle, last)?;
+            self.run_stage(Stage::Trace, last)?;
+        }
         Ok(())
     }
 
     fn population_digest(&mut self, population: Population) -> Result<u64, BackendError> {
-        let words = match population {
+        let (words, vectors) = match population {
             Population::Systems => {
                 let nodes = bytemuck::cast_slice(&self.tree.nodes);
                 return Ok(digest_from(population.first_index(), nodes, 7));
             }
-            Population::Particles => bytemuck::cast_slice(&self.particles),
-            Population::Boids => bytemuck::cast_slice(&self.flocks.boids),
+            Population::Particles => (bytemuck::cast_slice(&self.particles), 2),
+            Population::Boids => (bytemuck::cast_slice(&self.flocks.boids), 2),
+            Population::Flames => (bytemuck::cast_slice(&self.flames.flames), 4),
         };
-        Ok(digest_from(population.first_index(), words, 2))
+        Ok(digest_from(population.first_index(), words, vectors))
     }
 
     fn image_digest(&mut self) -> Result<u64, BackendError> {

@@ -8,6 +8,7 @@ use super::kernel::Kernel;
 use super::shader::Access;
 use super::sort;
 use crate::backend::BackendError;
+use crate::layout::FLAME_STEPS;
 use crate::plan::{Plan, Population, Stage};
 
 /// How a stage uses a kernel.
@@ -51,10 +52,16 @@ enum Work {
     EachPixel,
     /// One invocation a page.
     OncePages,
-    /// Page by page, as the dispatches for what covers many pixels say.
+    /// Page by page, as the dispatches for all but small discs say.
     LargePages,
     /// Flock by flock, one a boid.
     Boids,
+    /// Fire by fire, one a flame.
+    Fires,
+    /// One a flame of any fire.
+    Flames,
+    /// As many for each flame as share it.
+    FlameShares,
     /// One for every 64 cells of the flocks' grids.
     CellRuns,
     /// One invocation, told of the tiles.
@@ -223,6 +230,16 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
         work: Work::Boids,
     },
     KernelUse {
+        stage: Stage::Kindle,
+        kernel: "flames/kindle",
+        work: Work::Fires,
+    },
+    KernelUse {
+        stage: Stage::Trace,
+        kernel: "flames/trace",
+        work: Work::Flames,
+    },
+    KernelUse {
         stage: Stage::Shapes,
         kernel: "draw/shapes",
         work: Work::LivePages,
@@ -318,6 +335,16 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
         work: Work::LargePages,
     },
     KernelUse {
+        stage: Stage::FlameDiscs,
+        kernel: "draw/flame_discs",
+        work: Work::Flames,
+    },
+    KernelUse {
+        stage: Stage::Glow,
+        kernel: "draw/glow",
+        work: Work::FlameShares,
+    },
+    KernelUse {
         stage: Stage::Resolve,
         kernel: "draw/resolve",
         work: Work::Pixels,
@@ -330,6 +357,21 @@ pub(super) fn is_used(kernel: &str, plan: &Plan) -> bool {
     let mut is_due = uses.clone().any(|one| plan.has(one.stage));
     is_due |= uses.next().is_none();
     is_due
+}
+
+/// Pixels in a line that an invocation sums at a time: `RUN` of `wgsl/draw/glow.wgsl`.
+pub const GLOW_RUN: u32 = 8;
+
+/// Invocations that share a flame: many where flames are few, and never so few that one turns its
+/// loops more often than drivers let it, even where every flame fills the picture.
+fn shares_of(plan: &Plan) -> u32 {
+    const MOST_TURNS: u32 = 48_000;
+    // One for each disc of a flame, and its own.
+    const TURNS_A_RUN: u32 = FLAME_STEPS + 1;
+    let runs = plan.width.div_ceil(GLOW_RUN) * plan.height;
+    let needed = runs.div_ceil(MOST_TURNS / TURNS_A_RUN);
+    let wanted = if plan.flame_count > 1024 { 64 } else { 256 };
+    needed.max(wanted).next_power_of_two()
 }
 
 /// Records that an invocation of the digest takes.
@@ -472,6 +514,16 @@ impl GpuBackend {
                 .boid_counts()
                 .zip(0..)
                 .try_for_each(|(count, flock)| push(0, 0, &[flock], direct(count))),
+            Work::Fires => plan
+                .flame_counts()
+                .zip(0..)
+                .try_for_each(|(count, fire)| push(0, 0, &[fire], direct(count))),
+            Work::Flames => push(0, 0, &[plan.flame_count], direct(plan.flame_count)),
+            Work::FlameShares => {
+                let shares = shares_of(plan);
+                let size = direct(plan.flame_count * shares);
+                push(0, 0, &[plan.flame_count, shares], size)
+            }
             Work::Listed(at) => push(0, 0, &[], Size::Indirect(at)),
             Work::OnceTiled => push(0, 0, &tiling.immediates(0), Size::Direct(1, 1)),
             Work::Covers => push(0, 0, &[], Size::Indirect(paging.spare_dispatch(1))),
@@ -590,6 +642,12 @@ impl GpuBackend {
                 Ok(vec![command])
             }
             Population::Particles => self.particle_digest(current),
+            Population::Flames if self.flame_count == 0 => Ok(Vec::new()),
+            Population::Flames => {
+                let flames = self.memory.named("flames")?;
+                let count = self.flame_count;
+                Ok(vec![self.digest_command(flames, first, count, 4, false)?])
+            }
             Population::Boids if self.boid_count == 0 => Ok(Vec::new()),
             Population::Boids => {
                 let boids = self.memory.named("boids")?;

@@ -80,7 +80,7 @@ pub(super) struct Memory {
     pub(super) paging: Paging,
     pub(super) tiling: Tiling,
     pub(super) pools: [Vec<wgpu::Buffer>; 2],
-    /// For each page, the particles that cover many pixels: a count, its copy, indices.
+    /// For each page, the particles that are no small discs: two counts, their copies, indices.
     pub(super) large: Vec<wgpu::Buffer>,
     named: HashMap<&'static str, wgpu::Buffer>,
     /// Whether light is there before the splat: that of particles behind the planet.
@@ -112,7 +112,7 @@ impl Memory {
         let page_bytes = u64::from(paging.page_len) * PARTICLE_BYTES;
         let pages = paging.page_count as usize;
         let pooled = iter::repeat_n(("particles", page_bytes), 2 * pages);
-        let large_bytes = (u64::from(paging.page_len) + 2) * 4;
+        let large_bytes = (u64::from(paging.page_len) + 4) * 4;
         let large = iter::repeat_n(("large_particles", large_bytes), pages);
         let single = BUFFERS.iter().filter(|declared| {
             declared.name != "large_particles"

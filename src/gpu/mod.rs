@@ -31,6 +31,7 @@ mod traffic;
 mod watch;
 mod yardstick;
 mod yardstick_memory;
+mod yardstick_sort;
 
 use std::collections::{HashMap, VecDeque};
 use std::sync::Arc;
@@ -48,7 +49,7 @@ use tiling::Tiling;
 use timing::Timer;
 
 pub use adapter::{AdapterDescription, adapters, open};
-pub use commands::{KernelUse, STAGE_KERNELS};
+pub use commands::{GLOW_RUN, KernelUse, STAGE_KERNELS};
 pub use device::GpuDevice;
 pub use kernel::check_binding;
 pub use needs::{UnfitDevice, device_descriptor, required_features, required_limits};
@@ -57,10 +58,11 @@ pub use picture::{ParticleBuffers, TextureError};
 pub use probe::KernelForm;
 pub use raster::{RasterShape, RasterTarget};
 pub use timing::KernelTimes;
-pub use traffic::{Load, Traffic, stage_traffic, traffic};
+pub use traffic::{Load, Traffic, sort_bytes, stage_traffic, traffic};
 pub use watch::is_waiting;
 pub use yardstick::{Timed, Yardstick};
 pub use yardstick_memory::{TABLE_WORDS, YardstickMemory};
+pub use yardstick_sort::SortYardstick;
 
 /// The state of a run on a device.
 pub struct GpuBackend {
@@ -77,6 +79,7 @@ pub struct GpuBackend {
     curve_points: Vec<[f32; 4]>,
     meshes: Arc<MeshTables>,
     boid_count: u32,
+    flame_count: u32,
     cell_count: u32,
     width: u32,
     height: u32,
@@ -198,6 +201,7 @@ impl GpuBackend {
             curve_points: plan.curve_points.clone(),
             meshes: Arc::clone(&plan.meshes),
             boid_count: plan.boid_count,
+            flame_count: plan.flame_count,
             cell_count: plan.cell_count,
             width: plan.width,
             height: plan.height,
@@ -263,7 +267,7 @@ impl GpuBackend {
     /// The device fails.
     pub fn take_times(&mut self) -> Result<Vec<KernelTimes>, BackendError> {
         self.watched(|run| match &mut run.timer {
-            Some(timer) => timer.take(&run.gpu),
+            Some(timer) => timer.take(),
             None => Ok(Vec::new()),
         })
     }

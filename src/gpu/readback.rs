@@ -7,7 +7,7 @@ use super::GpuBackend;
 use super::device::GpuDevice;
 use super::memory::Memory;
 use crate::backend::BackendError;
-use crate::layout::{Boid, Cover, FrameStats, Node, SystemFrame};
+use crate::layout::{Boid, Cover, FLAME_STEPS, Flame, FlameDisc, FrameStats, Node, SystemFrame};
 
 /// Lines in the device's ring; `wgsl/scan/survivors.wgsl` has the same.
 pub(super) const STATISTICS_LEN: u32 = 256;
@@ -20,6 +20,12 @@ const LINE: u64 = size_of::<FrameStats>() as u64;
 
 /// Words a boid.
 const BOID_WORDS: u64 = size_of::<Boid>() as u64 / 4;
+
+/// Words a flame.
+const FLAME_WORDS: u64 = size_of::<Flame>() as u64 / 4;
+
+/// Words a particle of a flame as it is seen.
+const DISC_WORDS: u64 = size_of::<FlameDisc>() as u64 / 4;
 
 /// How long after the device is done its word of it may take.
 const CALL_BACK: Duration = Duration::from_secs(60);
@@ -78,6 +84,10 @@ impl GpuBackend {
             "birth_counts" => u64::from(self.system_count),
             "birth_offsets" => u64::from(self.system_count) + 1,
             "boids" | "sorted_boids" => u64::from(self.boid_count) * BOID_WORDS,
+            "flames" => u64::from(self.flame_count) * FLAME_WORDS,
+            "flame_bounds" => u64::from(self.flame_count) * 4,
+            "flame_steps" => u64::from(self.flame_count * FLAME_STEPS) * 4,
+            "flame_discs" => u64::from(self.flame_count * FLAME_STEPS) * DISC_WORDS,
             "boid_cells" => u64::from(self.boid_count),
             "cell_starts" => u64::from(self.cell_count) + 1,
             "deaths" => 2,

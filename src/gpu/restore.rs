@@ -3,7 +3,7 @@
 use super::{GpuBackend, StatisticsRing};
 use crate::backend::{BackendError, Living};
 use crate::layout::Counts;
-use crate::plan::FrameInputs;
+use crate::plan::{FrameInputs, Stage};
 
 /// Words of a particle.
 const PARTICLE_WORDS: usize = size_of::<crate::layout::Particle>() / 4;
@@ -47,6 +47,10 @@ impl GpuBackend {
         self.gpu.queue.submit([encoder.finish()]);
         self.newborns_present = false;
         self.ring = StatisticsRing::default();
+        // Flames have no past: they are what the last frame makes of them.
+        if let Some(last) = recent.last() {
+            self.submit(&[Stage::Kindle, Stage::Trace], last)?;
+        }
         self.gpu.wait()
     }
 }

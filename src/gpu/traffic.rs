@@ -7,7 +7,7 @@
 
 use super::commands::STAGE_KERNELS;
 use super::sort;
-use crate::layout::{Boid, Cover, Dispatch, Particle, SystemFrame};
+use crate::layout::{Boid, Cover, Dispatch, FLAME_STEPS, Flame, FlameDisc, Particle, SystemFrame};
 use crate::plan::{Stage, Uses};
 
 /// How much there is to do in a frame.
@@ -23,7 +23,7 @@ pub struct Load {
     pub pixels: u64,
     /// Pixels that some particle's light fell on.
     pub lit_pixels: u64,
-    /// Particles left to the kernel for those that cover many pixels.
+    /// Particles left to the kernel for all but small discs.
     pub large: u64,
     /// Particle systems.
     pub systems: u64,
@@ -33,6 +33,8 @@ pub struct Load {
     pub boids: u64,
     /// Cells of their grids.
     pub cells: u64,
+    /// Flames of all fires.
+    pub flames: u64,
     /// Records of what covers, those of nothing included.
     pub covers: u64,
     /// Those of them that are of boids.
@@ -58,6 +60,11 @@ const PARTICLE: u64 = size_of::<Particle>() as u64;
 /// Bytes a boid.
 const BOID: u64 = size_of::<Boid>() as u64;
 
+/// Bytes a flame, those of the places of its particle, and of them as they are seen.
+const FLAME: u64 = size_of::<Flame>() as u64;
+const FLAME_PLACES: u64 = FLAME_STEPS as u64 * 16;
+const FLAME_DISCS: u64 = FLAME_STEPS as u64 * size_of::<FlameDisc>() as u64;
+
 /// Bytes a record of what covers.
 const COVER: u64 = size_of::<Cover>() as u64;
 
@@ -72,6 +79,11 @@ const WORD: u64 = 4;
 const LIMB: u64 = 3 * WORD;
 
 impl Load {
+    /// Deaths.
+    fn died(&self) -> u64 {
+        self.total.saturating_sub(self.live)
+    }
+
     /// Words of the bits of those present.
     fn words(&self) -> u64 {
         self.total.div_ceil(32)
@@ -132,9 +144,14 @@ static TABLE: &[Line] = &[
     }),
     ("particles/emit", |load| (load.born, load.born * PARTICLE)),
     ("particles/cull", |load| {
-        // Who it is, in two words; where it is, if that matters.
-        let each = if load.uses.bounds { PARTICLE } else { 2 * WORD };
-        (load.total, load.total * each + load.words() * WORD)
+        // Who it is, in two words. They stand by age, so that of those who live on, the first of each
+        // word of bits tells for all; unless it matters where each is.
+        let read = if load.uses.bounds {
+            load.total * PARTICLE
+        } else {
+            (load.died() + load.words()) * 2 * WORD
+        };
+        (load.total, read + load.words() * WORD)
     }),
     ("scan/count_bits", |load| {
         let (sums, _) = load.sums();
@@ -191,6 +208,12 @@ static TABLE: &[Line] = &[
     ("flock/steer", |load| {
         (load.boids, load.boids * 2 * BOID + load.full_cells() * WORD)
     }),
+    ("flames/kindle", |load| (load.flames, load.flames * FLAME)),
+    ("flames/trace", |load| {
+        // Wind is looked up at every place.
+        let places = load.flames * u64::from(FLAME_STEPS);
+        (places, load.flames * (FLAME + FLAME_PLACES))
+    }),
     ("draw/shapes", |load| {
         (load.live, load.live * (PARTICLE + COVER))
     }),
@@ -246,6 +269,13 @@ static TABLE: &[Line] = &[
     ("draw/splat_large", |load| {
         (load.large, load.large * (PARTICLE + WORD))
     }),
+    ("draw/flame_discs", |load| {
+        let each = FLAME + FLAME_PLACES + FLAME_DISCS + 4 * WORD;
+        (load.flames, load.flames * each)
+    }),
+    ("draw/glow", |load| {
+        (load.flames, load.flames * (FLAME_DISCS + 4 * WORD))
+    }),
     ("draw/resolve", |load| {
         let own = load.pixels * (2 * LIMB + WORD);
         (load.pixels, own + load.covered())
@@ -257,6 +287,16 @@ pub fn traffic(kernel: &str, load: &Load) -> Option<Traffic> {
     let (_, of) = TABLE.iter().find(|(name, _)| *name == kernel)?;
     let (items, bytes) = of(load);
     Some(Traffic { items, bytes })
+}
+
+/// Bytes that the sort of so many pairs must move at least, all of its passes.
+pub fn sort_bytes(pairs: u64) -> u64 {
+    let load = Load {
+        covers: pairs,
+        ..Load::default()
+    };
+    let lines = TABLE.iter().filter(|(name, _)| name.starts_with("sort/"));
+    lines.map(|(_, of)| of(&load).1).sum()
 }
 
 /// What a stage works on, whoever runs it: what its kernel of the same basename does; of a stage

@@ -7,7 +7,7 @@ use bytemuck::Pod;
 
 use super::OutputError;
 use super::atomic::AtomicFile;
-use crate::simulation::{BoidState, ParticleState};
+use crate::simulation::{BoidState, FlameState, ParticleState};
 
 /// What a file says of the units of its properties.
 const PARTICLE_UNITS: &str = "world space; velocity per frame; age and lifetime in frames";
@@ -41,6 +41,22 @@ const BOID_PROPERTIES: &[&str] = &[
     "uint id",
 ];
 
+/// See [`PARTICLE_UNITS`].
+const FLAME_UNITS: &str = "world space; age and lifetime in frames, a lifetime of 0 without end";
+
+/// PLY's type and name of each property, in the order of the fields of [`FlameState`].
+const FLAME_PROPERTIES: &[&str] = &[
+    "float x",
+    "float y",
+    "float z",
+    "float nx",
+    "float ny",
+    "float nz",
+    "uint age",
+    "uint lifetime",
+    "uint fire",
+];
+
 /// Records turned to bytes at a time, so that a dump costs no second copy of itself.
 const RECORDS_A_WRITE: usize = 4096;
 
@@ -63,6 +79,14 @@ pub fn write_particles(path: &Path, records: &[ParticleState]) -> Result<(), Out
 /// As [`write_particles`].
 pub fn write_boids(path: &Path, records: &[BoidState]) -> Result<(), OutputError> {
     write(path, BOID_UNITS, BOID_PROPERTIES, records)
+}
+
+/// Writes flames as [`write_particles`] does particles.
+///
+/// # Errors
+/// As [`write_particles`].
+pub fn write_flames(path: &Path, records: &[FlameState]) -> Result<(), OutputError> {
+    write(path, FLAME_UNITS, FLAME_PROPERTIES, records)
 }
 
 fn write(

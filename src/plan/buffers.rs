@@ -2,8 +2,9 @@
 
 use super::Plan;
 use crate::layout::{
-    Boid, Bound, Brood, Counts, Cover, Dispatch, FlockFrame, Frame, FrameStats, Lamp, Node,
-    Particle, Planet, Pose, Relation, SystemFrame, SystemRow, Wind,
+    AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, FLAME_STEPS, FireFrame, Flame, FlameDisc,
+    FlockFrame, Frame, FrameStats, Lamp, ListedFlame, Node, Particle, Planet, Pose, Relation,
+    SystemFrame, SystemRow, Wind,
 };
 
 /// What a buffer is for.
@@ -59,6 +60,12 @@ pub enum Count {
         /// Records besides.
         extra: u32,
     },
+    /// So many a fire.
+    Fires(u32),
+    /// One a flame that is told by itself.
+    ListedFlames,
+    /// So many a flame.
+    Flames(u32),
     /// So many a pixel, for pixels in whole fours.
     Pixels(u32),
     /// One for each record of what may cover.
@@ -304,6 +311,49 @@ pub static BUFFERS: &[Buffer] = {
             size_of::<Boid>(),
             Count::Boids,
         ),
+        buffer_of(
+            "fires",
+            Input,
+            "FireFrame",
+            size_of::<FireFrame>(),
+            Count::Fires(1),
+        ),
+        buffer_of(
+            "listed_flames",
+            Input,
+            "ListedFlame",
+            size_of::<ListedFlame>(),
+            Count::ListedFlames,
+        ),
+        buffer_of(
+            "age_looks",
+            Input,
+            "AgeLook",
+            size_of::<AgeLook>(),
+            Count::Fires(FLAME_STEPS),
+        ),
+        buffer_of(
+            "flames",
+            State,
+            "Flame",
+            size_of::<Flame>(),
+            Count::Flames(1),
+        ),
+        buffer_of(
+            "flame_steps",
+            State,
+            "vec4<u32>",
+            16,
+            Count::Flames(FLAME_STEPS),
+        ),
+        buffer_of(
+            "flame_discs",
+            State,
+            "FlameDisc",
+            size_of::<FlameDisc>(),
+            Count::Flames(FLAME_STEPS),
+        ),
+        buffer_of("flame_bounds", State, "vec4<u32>", 16, Count::Flames(1)),
         buffer_of("covers", State, "Cover", size_of::<Cover>(), Count::Covers),
         buffer_of("cover_counts", State, "u32", 4, Count::Fixed(8)),
         buffer_of(
@@ -353,6 +403,9 @@ impl Buffer {
             Count::Flocks => plan.flock_count,
             Count::Relations => plan.relation_count,
             Count::Boids => plan.boid_count,
+            Count::Fires(each) => plan.fire_count * each,
+            Count::ListedFlames => plan.listed_flame_count,
+            Count::Flames(each) => plan.flame_count * each,
             Count::Cells { over, extra } => plan.cell_count.div_ceil(over) + extra,
             Count::Covers => plan.cover_capacity(),
             Count::CoveredPixels(each) if plan.uses.covers => {

@@ -2,14 +2,15 @@
 
 use super::Plan;
 use super::camera::{camera_frame, layer_planes};
+use super::fire::fires_of;
 use super::flock::flocks_of;
 use super::planet::{outline_of, planet_of};
 use super::system::{Moments, bounds_of, system_frame, system_row};
 use super::tree::{bears_systems, broods, pose_of, row_spread};
 use super::wind::winds_of;
 use crate::layout::{
-    Bound, Brood, FlockFrame, Frame, Lamp, Planet, Pose, Relation, SYSTEM_BEARS_SYSTEMS,
-    SystemFrame, SystemRow, Wind,
+    AgeLook, Bound, Brood, FireFrame, FlockFrame, Frame, Lamp, ListedFlame, Planet, Pose, Relation,
+    SYSTEM_BEARS_SYSTEMS, SystemFrame, SystemRow, Wind,
 };
 use crate::scene::Scene;
 
@@ -43,6 +44,12 @@ pub struct FrameInputs {
     pub flocks: Vec<FlockFrame>,
     /// What flocks make of each other, flock by flock.
     pub relations: Vec<Relation>,
+    /// One a fire.
+    pub fires: Vec<FireFrame>,
+    /// The flames that are told one by one, fire by fire.
+    pub listed_flames: Vec<ListedFlame>,
+    /// What flames look like at each age, fire by fire.
+    pub age_looks: Vec<AgeLook>,
     /// Whether flocks begin in this frame: their boids are put where they are at first.
     pub hatches: bool,
 }
@@ -92,6 +99,7 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
     let layer_planes = layer_planes(&now);
     let (flocks, relations) = flocks_of(&now);
     let (planets, lamps) = planet_of(&now);
+    let (fires, listed_flames, age_looks) = fires_of(&now, &earlier, &plan.meshes, number);
     let frame = Frame {
         frame: number.cast_unsigned(),
         wind_count: winds.len() as u32,
@@ -115,6 +123,9 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
         lamps,
         flocks,
         relations,
+        fires,
+        listed_flames,
+        age_looks,
         hatches: number == plan.first_frame,
     }
 }

@@ -8,6 +8,7 @@ mod bounds;
 mod buffers;
 mod camera;
 mod curves;
+mod fire;
 mod flock;
 mod inputs;
 mod meshes;
@@ -29,7 +30,7 @@ pub use uses::Uses;
 
 use std::sync::Arc;
 
-use crate::scene::{Blend, Scene, Track};
+use crate::scene::{Blend, Fire, Scene, Track};
 
 /// Why a scene cannot become a plan: it is the scene's fault, and the message says what to change.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -86,6 +87,12 @@ pub struct Plan {
     pub relation_count: u32,
     /// Cells of the flocks' grids, at most.
     pub cell_count: u32,
+    /// Number of fires.
+    pub fire_count: u32,
+    /// Flames of all fires.
+    pub flame_count: u32,
+    /// Those of them that are told one by one.
+    pub listed_flame_count: u32,
     /// Pixels across.
     pub width: u32,
     /// Pixels down.
@@ -174,6 +181,13 @@ impl Plan {
             boid_cover_count: most(&|scene| flock::cover_count(scene)),
             relation_count: most(&relations),
             cell_count: most(&|scene| flock::cell_count(scene)),
+            fire_count: scene.fires.len() as u32,
+            flame_count: scene.fires.iter().map(Fire::count).sum(),
+            listed_flame_count: scene
+                .fires
+                .iter()
+                .map(|fire| fire.listed.len() as u32)
+                .sum(),
             width: scene.image.width,
             height: scene.image.height,
             uses: Uses::default(),
@@ -255,6 +269,12 @@ impl Plan {
         scene.flocks.iter().map(|flock| flock.count)
     }
 
+    /// The name of each flock.
+    pub fn flock_names(&self) -> impl Iterator<Item = &str> + '_ {
+        let (_, scene) = &self.variants[0];
+        scene.flocks.iter().map(|flock| flock.name.as_str())
+    }
+
     /// Whether the plan has anything for the stage to do at any time.
     pub fn has(&self, stage: Stage) -> bool {
         match stage {
@@ -262,6 +282,7 @@ impl Plan {
             Stage::Planet => self.uses.planet,
             Stage::Hatch | Stage::Cells | Stage::Steer => self.flock_count > 0,
             Stage::Shapes | Stage::Cover => self.uses.covers,
+            Stage::Kindle | Stage::Trace | Stage::FlameDiscs | Stage::Glow => self.fire_count > 0,
             _ => true,
         }
     }
@@ -318,6 +339,12 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
             .map(|flock| (flock.name.clone(), flock.count))
             .collect()
     };
+    let fires = |scene: &Scene| -> Vec<(String, usize, u32)> {
+        let fires = scene.fires.iter();
+        fires
+            .map(|fire| (fire.name.clone(), fire.listed.len(), fire.count()))
+            .collect()
+    };
     let names = |scene: &Scene| -> Vec<String> {
         scene
             .systems
@@ -343,6 +370,7 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
             scene.capacity,
             scene.layers.len(),
             flocks(scene),
+            fires(scene),
         )
     };
     if names(scene) != names(&turn.scene) || fixed(scene) != fixed(&turn.scene) {
@@ -351,7 +379,7 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
                 "the change at frame {} alters what holds for a whole run",
                 turn.frame
             ),
-            help: "the list of systems, their names, parents and `blend`, whether there is a planet, the flocks' names and counts, the \
+            help: "the list of systems, their names, parents and `blend`, whether there is a planet, the flocks' and fires' names and counts, the \
                    number of layers, the image size, the seed and the capacity stay as the scene has \
                    them"
                 .into(),

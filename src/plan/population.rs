@@ -13,11 +13,13 @@ pub enum Population {
     Particles,
     /// Those of all flocks.
     Boids,
+    /// Those of all fires.
+    Flames,
 }
 
 impl Population {
     /// Each of them.
-    pub const ALL: [Self; 3] = [Self::Particles, Self::Systems, Self::Boids];
+    pub const ALL: [Self; 4] = [Self::Particles, Self::Systems, Self::Boids, Self::Flames];
 
     /// Its name in tables and of its dumps; also that of its state buffer, but for systems, whose is `nodes`.
     pub fn name(self) -> &'static str {
@@ -25,6 +27,7 @@ impl Population {
             Self::Systems => "systems",
             Self::Particles => "particles",
             Self::Boids => "boids",
+            Self::Flames => "flames",
         }
     }
 
@@ -34,6 +37,7 @@ impl Population {
             Self::Systems => scene.systems.iter().any(|system| system.parent.is_some()),
             Self::Particles => !scene.systems.is_empty(),
             Self::Boids => !scene.flocks.is_empty(),
+            Self::Flames => !scene.fires.is_empty(),
         };
         Self::ALL.into_iter().filter(has).collect()
     }
@@ -44,6 +48,7 @@ impl Population {
             Self::Systems => 3 << 30,
             Self::Particles => 0,
             Self::Boids => 1 << 31,
+            Self::Flames => 1 << 30,
         }
     }
 }
@@ -55,6 +60,7 @@ impl Plan {
             Population::Systems => self.tree_levels > 0,
             Population::Particles => self.own_system_count > 0,
             Population::Boids => self.flock_count > 0,
+            Population::Flames => self.fire_count > 0,
         }
     }
 

@@ -21,6 +21,10 @@ pub enum Stage {
     Cells,
     /// Boids look around, steer and move.
     Steer,
+    /// Where flames stand in this frame, and how large they are.
+    Kindle,
+    /// The trajectories of flames through the wind.
+    Trace,
     /// What covers, as it is seen.
     Shapes,
     /// What covers, from near to far, in every pixel.
@@ -29,6 +33,10 @@ pub enum Stage {
     Planet,
     /// Particles add their light.
     Splat,
+    /// Particles along flames, as they are seen.
+    FlameDiscs,
+    /// Flames add their light.
+    Glow,
     /// Light becomes pixels.
     Resolve,
 }
@@ -49,7 +57,8 @@ pub struct StageInfo {
 }
 
 /// Every stage in frame order (Reeves 1983, section 2: generate, assign, extinguish, move, render;
-/// flocks are all there from the first frame on, and look before they move).
+/// flocks are all there from the first frame on, and look before they move; Perry 1994, 3.2: flames
+/// are traced anew in every frame).
 pub static STAGES: &[StageInfo] = &[
     StageInfo {
         stage: Stage::Tree,
@@ -140,6 +149,26 @@ pub static STAGES: &[StageInfo] = &[
         draws: false,
     },
     StageInfo {
+        stage: Stage::Kindle,
+        name: "kindle",
+        reads: &[
+            "frame",
+            "fires",
+            "listed_flames",
+            "mesh_faces",
+            "mesh_choices",
+        ],
+        writes: &["flames"],
+        draws: false,
+    },
+    StageInfo {
+        stage: Stage::Trace,
+        name: "trace",
+        reads: &["frame", "fires", "flames", "winds"],
+        writes: &["flame_steps"],
+        draws: false,
+    },
+    StageInfo {
         stage: Stage::Shapes,
         name: "shapes",
         reads: &[
@@ -193,6 +222,27 @@ pub static STAGES: &[StageInfo] = &[
         draws: true,
     },
     StageInfo {
+        stage: Stage::FlameDiscs,
+        name: "flame_discs",
+        reads: &[
+            "frame",
+            "fires",
+            "age_looks",
+            "flames",
+            "flame_steps",
+            "layer_planes",
+        ],
+        writes: &["flame_discs", "flame_bounds"],
+        draws: true,
+    },
+    StageInfo {
+        stage: Stage::Glow,
+        name: "glow",
+        reads: &["frame", "flame_discs", "flame_bounds"],
+        writes: &["light_low", "light_high"],
+        draws: true,
+    },
+    StageInfo {
         stage: Stage::Resolve,
         name: "resolve",
         reads: &[
@@ -216,6 +266,7 @@ impl Stage {
             Self::Planet => !inputs.planets.is_empty(),
             Self::Hatch => inputs.hatches && !inputs.flocks.is_empty(),
             Self::Cells | Self::Steer => !inputs.flocks.is_empty(),
+            Self::Kindle | Self::Trace | Self::FlameDiscs | Self::Glow => !inputs.fires.is_empty(),
             _ => true,
         }
     }

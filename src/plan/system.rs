@@ -93,10 +93,14 @@ fn steady_births(system: &System, key: u32, frame: i32, frame_now: i32) -> (f32,
 /// The rows of a system's transform to world space: the rotation about x by the first angle, then
 /// about y by the second, then to its position.
 pub(super) fn pose(system: &System) -> [[f32; 4]; 3] {
-    let [about_x, about_y] = system.rotation_degrees.map(|angle| angle / 360.0);
+    pose_of(system.position, system.rotation_degrees)
+}
+
+/// The same of any place and angles.
+pub(super) fn pose_of([x, y, z]: [f32; 3], rotation_degrees: [f32; 2]) -> [[f32; 4]; 3] {
+    let [about_x, about_y] = rotation_degrees.map(|angle| angle / 360.0);
     let (sx, cx) = (sin_turns(about_x), cos_turns(about_x));
     let (sy, cy) = (sin_turns(about_y), cos_turns(about_y));
-    let [x, y, z] = system.position;
     [
         [cy, sy * sx, sy * cx, x].map(snap),
         [0.0, cx, -sx, y].map(snap),

@@ -38,9 +38,13 @@ pub const BUILTIN: &[BuiltinScene] = builtin![
     "boids-cohesion",
     "boids-free",
     "boids-separation",
+    "bonfire",
     "bounce-constrain",
     "bounce-repel",
     "bounce-wrap",
+    "candle",
+    "candle-wind",
+    "candles",
     "crossed-flocks",
     "ember-knot",
     "explosion",
@@ -49,6 +53,8 @@ pub const BUILTIN: &[BuiltinScene] = builtin![
     "fireworks-green-blue",
     "fireworks-multicolored",
     "fireworks-red",
+    "flames-cohesion",
+    "flames-compare",
     "flock",
     "flock-million",
     "fountain",
@@ -66,6 +72,8 @@ pub const BUILTIN: &[BuiltinScene] = builtin![
     "rorschach-three",
     "smoke-ring",
     "sparks-in-wind",
+    "torch",
+    "torch-moving",
     "two-flocks",
     "two-flocks-predators",
 ];
@@ -148,7 +156,10 @@ fn unknown(name: &str) -> SceneError {
 fn read(path: &str) -> Result<String, SceneError> {
     let refuse = |what: String, help: &str| SceneError::general(what, Some(path), help);
     let cannot = |error: std::io::Error| {
-        let help = "a path to a scene's TOML file; `motes scenes` lists the built-in scenes";
+        let help = match error.kind() {
+            std::io::ErrorKind::PermissionDenied => "a file that you may read",
+            _ => "a path to a scene's TOML file; `motes scenes` lists the built-in scenes",
+        };
         refuse(format!("the scene file cannot be read: {error}"), help)
     };
     let file = File::open(path).map_err(cannot)?;

@@ -14,11 +14,13 @@ mod error;
 mod expect;
 mod extinction;
 mod files;
+mod fire;
 mod flock;
 mod generation;
 mod inherit;
 mod knobs;
 mod load;
+mod meshes;
 mod parse;
 mod picture;
 mod read;
@@ -40,11 +42,13 @@ pub use builtin::{BUILTIN, BUILTIN_FILES, BuiltinScene};
 pub use error::SceneError;
 pub(crate) use error::shortened;
 pub use extinction::{Extinction, Side};
+pub use fire::{Burning, Fire, ListedFlame, Profile, RampStop, Roots};
 pub use flock::{BoidShape, Corners, Dimensions, Edges, Flock, Relation, RelationKind, Rule};
 pub use generation::{Attractor, EjectionAxis, EjectionSpread, GenerationShape};
 pub use inherit::Inherit;
 pub use knobs::{Knob, KnobValue};
 pub use load::{Loader, knobs, load, load_with, parse};
+pub(crate) use parse::Draft;
 pub use picture::{Camera, Image, Lamp, Layer, Light, Planet, Projection, ShutterWeighting};
 pub(crate) use set::Set;
 pub use system::{
@@ -104,7 +108,7 @@ pub struct Scene {
     /// What covering particles reflect.
     pub light: Light,
     /// The particle systems, in the order of the file, at most 1,024; names unique. A scene has at
-    /// least one, or a flock.
+    /// least one, or a flock, or a fire.
     pub systems: Vec<System>,
     /// The flocks, in the order of the file, at most 64; names unique.
     pub flocks: Vec<Flock>,
@@ -112,6 +116,8 @@ pub struct Scene {
     pub planet: Option<Planet>,
     /// Lights near it, at most 16.
     pub lamps: Vec<Lamp>,
+    /// The fires, in the order of the file, at most 64; names unique.
+    pub fires: Vec<Fire>,
     /// The parts of the wind, at most 16; it is their sum.
     pub winds: Vec<Wind>,
     /// Planes that split the picture into layers, at most 8.
@@ -136,13 +142,22 @@ impl Scene {
         parents.into_iter().any(|parent| parent == name)
     }
 
-    /// The meshes that its systems are born on, each once.
+    /// The meshes that its systems are born on, and that its flames stand on, each once.
     pub fn meshes(&self) -> Vec<&Arc<Mesh>> {
+        let of_systems = self
+            .systems
+            .iter()
+            .filter_map(|system| match &system.generation_shape {
+                GenerationShape::Mesh { mesh, .. } => Some(mesh),
+                _ => None,
+            });
+        let of_fires = self.fires.iter().filter_map(|fire| match &fire.roots {
+            Roots::Mesh { mesh, .. } => Some(mesh),
+            _ => None,
+        });
         let mut meshes: Vec<&Arc<Mesh>> = Vec::new();
-        for system in &self.systems {
-            if let GenerationShape::Mesh { mesh, .. } = &system.generation_shape
-                && !meshes.iter().any(|known| Arc::ptr_eq(known, mesh))
-            {
+        for mesh in of_systems.chain(of_fires) {
+            if !meshes.iter().any(|known| Arc::ptr_eq(known, mesh)) {
                 meshes.push(mesh);
             }
         }

@@ -1,6 +1,8 @@
 //! Whether inputs of the caller's making fit the plan.
 
-use crate::layout::{FlockFrame, SHAPE_CURVE, SHAPE_MESH, SystemFrame, SystemRow};
+use crate::layout::{
+    FLAME_STEPS, FireFrame, FlockFrame, ROOTS_MESH, SHAPE_CURVE, SHAPE_MESH, SystemFrame, SystemRow,
+};
 use crate::plan::{FrameInputs, Plan, PlanError};
 
 /// Whether lists of the caller's making are as long as the plan's, or as they can be.
@@ -54,6 +56,12 @@ pub(super) fn check_sizes(plan: &Plan, inputs: &FrameInputs) -> Result<(), PlanE
             "flocks, boids and relations of the plan, and grids of no more cells".into(),
         );
     }
+    if !fires_fit(plan, inputs) {
+        return refuse(
+            "inputs with other fires than the plan's".into(),
+            "fires and flames of the plan, on its meshes, with a look for each age".into(),
+        );
+    }
     let is_stored = |row: &SystemRow| {
         let [_, first, len, _] = row.shape;
         let stored = plan.curve_points.len() as f32;
@@ -77,6 +85,33 @@ pub(super) fn check_sizes(plan: &Plan, inputs: &FrameInputs) -> Result<(), PlanE
         );
     }
     Ok(())
+}
+
+/// Whether fires have the plan's flames, and what they name is there.
+fn fires_fit(plan: &Plan, inputs: &FrameInputs) -> bool {
+    let (mut first, mut first_listed) = (0, 0);
+    let mut own_flames = |(fire, count): (&FireFrame, u32)| {
+        let [at, of_fire, listed_at, listed] = fire.members;
+        let is_own = (at, of_fire, listed_at) == (first, count, first_listed);
+        first += count;
+        first_listed += listed;
+        is_own && listed <= count
+    };
+    let has_faces = |fire: &FireFrame| {
+        let [first, count, ..] = fire.faces.map(u64::from);
+        fire.kinds[0] != ROOTS_MESH
+            || (count >= 1 && first + count <= plan.meshes.choices.len() as u64)
+    };
+    inputs.fires.len() == plan.fire_count as usize
+        && inputs.listed_flames.len() == plan.listed_flame_count as usize
+        && inputs.age_looks.len() == (plan.fire_count * FLAME_STEPS) as usize
+        && inputs
+            .fires
+            .iter()
+            .zip(plan.flame_counts())
+            .all(&mut own_flames)
+        && first_listed == plan.listed_flame_count
+        && inputs.fires.iter().all(has_faces)
 }
 
 /// Whether flocks have the plan's boids, and grids and relations have room in its lists.

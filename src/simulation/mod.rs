@@ -3,6 +3,7 @@
 mod adapter;
 mod draw;
 mod error;
+mod flock_metrics;
 mod inputs;
 mod lines;
 mod radiance;
@@ -12,9 +13,10 @@ mod snapshot;
 pub use crate::gpu::{AdapterDescription, ParticleBuffers, TextureError, UnfitDevice, adapters};
 pub use adapter::{AdapterChoice, adapter_names};
 pub use error::SimulationError;
+pub use flock_metrics::FlockMetrics;
 pub use lines::Line;
 pub use radiance::linear_of;
-pub use read::{BoidState, ParticleState};
+pub use read::{BoidState, FlameState, ParticleState};
 pub use snapshot::{Snapshot, SnapshotError};
 
 use crate::backend::Backend;

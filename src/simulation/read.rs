@@ -11,7 +11,9 @@ use crate::cpu::boid::boid_id;
 use crate::cpu::particle::{STREAM_PLACE, draw, identity_of, lifetime_of, row_index};
 use crate::cpu::projection::world_of;
 use crate::exact::dot3;
-use crate::layout::{Boid, FrameStats, Particle, SYSTEM_PARABOLIC, SystemFrame, SystemRow};
+use crate::layout::{
+    Boid, FLAME_STEPS, Flame, FrameStats, Particle, SYSTEM_PARABOLIC, SystemFrame, SystemRow,
+};
 use crate::plan::{FrameInputs, Plan, Population};
 
 /// A live particle, for people: world space, units a frame, frames. Its bytes are those of a
@@ -46,6 +48,23 @@ pub struct BoidState {
     pub flock: u32,
     /// A hash of who it is: the same in every run of the scene and seed.
     pub id: u32,
+}
+
+/// A flame that burns, for people: world space, frames. Its bytes are those of a record of a dump:
+/// 36, no padding.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct FlameState {
+    /// Its root.
+    pub position: [f32; 3],
+    /// The unit vector that it leaves along.
+    pub normal: [f32; 3],
+    /// Frames since it was kindled; 0 in the frame in which it is.
+    pub age: u32,
+    /// Frames that it burns in all; 0 for ever.
+    pub lifetime: u32,
+    /// Index of its fire in the scene.
+    pub fire: u32,
 }
 
 /// Systems that others have borne: their frames now, and their rows of all frames that count.
@@ -84,6 +103,64 @@ impl Simulation {
             systems: bytemuck::pod_collect_to_vec(&self.backend.read("borne_systems")?),
             rows: bytemuck::pod_collect_to_vec(&self.backend.read("rows")?),
         })
+    }
+
+    /// The flames that burn, by fire and index; none before the first frame is stepped.
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn flames(&mut self) -> Result<Vec<FlameState>, SimulationError> {
+        Ok(self
+            .burning()?
+            .into_iter()
+            .map(|(_, state)| state)
+            .collect())
+    }
+
+    /// A light for each flame that burns, in the order of [`Simulation::flames`]: the mean place of
+    /// its particle (Perry 1994, 3.2.4), world space.
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn flame_lights(&mut self) -> Result<Vec<[f32; 3]>, SimulationError> {
+        let burning = self.burning()?;
+        if burning.is_empty() {
+            return Ok(Vec::new());
+        }
+        let words = self.backend.read("flame_steps")?;
+        let steps: &[[u32; 4]] = bytemuck::cast_slice(&words);
+        let mean = |(at, _): (usize, FlameState)| {
+            let own = steps.iter().skip(at * FLAME_STEPS as usize);
+            let places = own.take(FLAME_STEPS as usize);
+            let sum = places.fold([0.0; 3], |sum: [f32; 3], [x, y, z, _]| {
+                let place = [x, y, z].map(|bits| f32::from_bits(*bits));
+                [0, 1, 2].map(|axis| sum[axis] + place[axis])
+            });
+            sum.map(|sum| sum / FLAME_STEPS as f32)
+        };
+        Ok(burning.into_iter().map(mean).collect())
+    }
+
+    /// Where each flame that burns stands among all, and what it is.
+    fn burning(&mut self) -> Result<Vec<(usize, FlameState)>, SimulationError> {
+        let Some(inputs) = self
+            .inputs
+            .as_ref()
+            .filter(|inputs| !inputs.fires.is_empty())
+        else {
+            return Ok(Vec::new());
+        };
+        let words = self.backend.read("flames")?;
+        let flames: &[Flame] = bytemuck::cast_slice(&words);
+        let state = |flame: &Flame| FlameState {
+            position: flame.root(),
+            normal: flame.normal(),
+            age: inputs.frame.frame.wrapping_sub(flame.normal_and_birth[3]),
+            lifetime: inputs.fires[flame.fire() as usize].times[2],
+            fire: flame.fire(),
+        };
+        let burning = flames.iter().enumerate().filter(|(_, flame)| flame.burns());
+        Ok(burning.map(|(at, flame)| (at, state(flame))).collect())
     }
 
     /// The boids, by flock and index; none before the first frame is stepped.

@@ -5,6 +5,7 @@
 mod adversarial;
 mod arguments;
 mod edges;
+mod fires;
 mod flocks;
 mod probes;
 mod scenes;
@@ -23,6 +24,7 @@ use motes::plan::{BUFFERS, BufferRole, FrameInputs, Plan, STAGES, Stage};
 pub(crate) use adversarial::*;
 pub(crate) use arguments::*;
 pub(crate) use edges::*;
+pub(crate) use fires::*;
 pub(crate) use flocks::*;
 pub(crate) use probes::*;
 pub(crate) use scenes::*;

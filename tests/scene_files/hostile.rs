@@ -69,7 +69,9 @@ fn a_spoiled_scene_is_a_scene_or_an_error_with_a_line() {
             Ok(scene) => {
                 accepted += 1;
                 assert!(
-                    !(scene.systems.is_empty() && scene.flocks.is_empty()),
+                    !(scene.systems.is_empty()
+                        && scene.flocks.is_empty()
+                        && scene.fires.is_empty()),
                     "{text}"
                 );
             }

@@ -2,6 +2,7 @@
 //! and what would be right.
 
 mod commands;
+mod fires;
 mod flocks;
 mod hostile;
 mod keyed;

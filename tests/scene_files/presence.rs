@@ -95,7 +95,11 @@ fn unknown_keys_are_refused_with_the_nearest() {
             "{error}"
         );
         assert!(error.help().contains(&guess.unwrap_or_default()), "{error}");
-        assert!(error.help().contains(key), "{error}");
+        // Long lists are not read to their end.
+        let is_listed = [key, "`motes schema --markdown`"]
+            .iter()
+            .any(|it| error.help().contains(it));
+        assert!(is_listed, "{error}");
     }
     let error = refused(&with(
         "system",
@@ -113,6 +117,7 @@ fn only_what_is_required_must_be_written() {
             // All on one line.
             _ if section.starts_with("generation_shape.") => continue,
             _ if section.starts_with("edges.") => continue,
+            _ if section.starts_with("roots.") => continue,
             "system" if key.ends_with("_per_area") => continue,
             _ => fields_of(section),
         };

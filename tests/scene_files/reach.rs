@@ -1,11 +1,12 @@
 //! What right scenes are read as: every key in its place, and what holds where it is not written.
 
 use motes::scene::{
-    BirthMoment, BirthRounding, BirthUnit, Births, Blend, BoidShape, Burst, Camera, Changing,
-    ChildUp, Corners, Dimensions, Edges, EjectionAxis, EjectionSpread, Extinction, Flock,
-    GenerationShape, Image, Inherit, Integration, Intensity, Lamp, Layer, Light, ParticleShape,
-    ParticleSpace, Planet, Projection, Relation, RelationKind, Rule, Scene, Shading,
-    ShutterWeighting, Side, Spread, StreakLight, System, Turbulence, Wind,
+    BirthMoment, BirthRounding, BirthUnit, Births, Blend, BoidShape, Burning, Burst, Camera,
+    Changing, ChildUp, Corners, Dimensions, Edges, EjectionAxis, EjectionSpread, Extinction, Fire,
+    Flock, GenerationShape, Image, Inherit, Integration, Intensity, Lamp, Layer, Light,
+    ListedFlame, ParticleShape, ParticleSpace, Planet, Profile, Projection, RampStop, Relation,
+    RelationKind, Roots, Rule, Scene, Shading, ShutterWeighting, Side, Spread, StreakLight, System,
+    Turbulence, Wind,
 };
 
 use crate::text::{FULL, MINIMAL, accepted};
@@ -115,6 +116,7 @@ fn what_is_not_written_has_the_documented_default() {
         flocks: vec![],
         planet: None,
         lamps: vec![],
+        fires: vec![],
         winds: vec![],
         layers: vec![],
         tracks: vec![],
@@ -330,6 +332,61 @@ fn flocks() -> Vec<Flock> {
     vec![prey, hunters]
 }
 
+/// The fire of [`FULL`].
+fn fire() -> Fire {
+    Fire {
+        name: "pyre".into(),
+        position: [1.0, 2.0, 3.0],
+        rotation_degrees: [10.0, 20.0],
+        roots: Roots::Circle {
+            radius: 2.0,
+            count: 7,
+        },
+        listed: vec![ListedFlame {
+            position: [0.0, 1.0, 2.0],
+            normal: [0.0, 1.0, 1.0],
+            height: Some(3.0),
+            width: Some(0.75),
+            brightness: 0.5,
+            first_frame: Some(12),
+        }],
+        height: spread(2.0, 0.5),
+        width: spread(0.5, 0.1),
+        profile: Profile {
+            base_width: 0.6,
+            swell: 0.3,
+            base_height: 0.25,
+            height_growth: 0.05,
+        },
+        start_speed: 3.0,
+        normalised: false,
+        buoyancy: 0.9,
+        gravity: [0.0, -2.0, 1.0],
+        noisiness: 0.02,
+        sampling: 0.3,
+        inverse_cohesion: 1.5,
+        wind_factor: 4.0,
+        brightness: 1.25,
+        color_noise: 0.4,
+        color_noise_scale: 3.0,
+        inner_radius: 0.3,
+        inner_alpha: 1.5,
+        ramp: vec![RampStop {
+            age: 0.25,
+            center: [1.0, 0.75, 0.5],
+            rim: [0.5, 0.25, 0.0],
+            alpha: 0.5,
+            rim_alpha: 0.125,
+        }],
+        burning: Burning {
+            first_frame: -3,
+            kindling_frames: 10,
+            lifetime: Some(90),
+            growth_frames: 6,
+        },
+    }
+}
+
 #[test]
 fn every_other_key_reaches_its_place() {
     let scene = accepted(FULL);
@@ -397,6 +454,7 @@ fn every_other_key_reaches_its_place() {
             color: [3.0, 2.0, 1.0],
             distance: 2.5,
         }],
+        fires: vec![fire()],
         winds: vec![
             Wind::Uniform {
                 velocity: [0.01, 0.02, 0.03],

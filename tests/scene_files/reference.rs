@@ -73,6 +73,11 @@ fn the_examples_of_the_reference_page_are_right() {
             whole if whole.contains("[camera]") => accepted(whole),
             // Of a flock: some edges, or a relation.
             lines if lines.starts_with("edges") => accepted(&format!("{MINIMAL}{FLOCK}{lines}")),
+            // Of a fire: where its flames stand.
+            lines if lines.starts_with("roots") => {
+                let one = "[[fire.flame]]\nposition = [0, 0, 0]\n";
+                accepted(&format!("{MINIMAL}[[fire]]\nname = \"fire\"\n{lines}{one}"))
+            }
             table if table.starts_with("[[flock.") => accepted(&format!("{MINIMAL}{FLOCK}{table}")),
             // A table of the file, or one of the only system.
             table if table.starts_with('[') => accepted(&format!("{MINIMAL}{table}")),
@@ -84,8 +89,9 @@ fn the_examples_of_the_reference_page_are_right() {
         let flocks = scene.flocks.iter();
         kinds += flocks.map(|flock| flock.relations.len()).sum::<usize>();
         kinds += usize::from(block.starts_with("edges"));
+        kinds += usize::from(block.starts_with("roots"));
     }
-    assert_eq!(kinds, 9 + 4 + 10 + 3 + 5, "each kind has an example");
+    assert_eq!(kinds, 9 + 4 + 10 + 3 + 5 + 5, "each kind has an example");
 }
 
 #[test]

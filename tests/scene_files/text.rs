@@ -206,6 +206,47 @@ limit = 0.9
 name = "hunters"
 count = 3
 region = { min = [0, 0, 0], max = [1, 1, 1] }
+[[fire]]
+name = "pyre"
+position = [1, 2, 3]
+rotation_degrees = [10, 20]
+roots = { kind = "circle", radius = 2, count = 7 }
+height = { mean = 2, var = 0.5 }
+width = { mean = 0.5, var = 0.1 }
+base_width = 0.6
+swell = 0.3
+base_height = 0.25
+height_growth = 0.05
+speed = "free"
+start_speed = 3
+buoyancy = 0.9
+gravity = [0, -2, 1]
+noisiness = 0.02
+sampling = 0.3
+inverse_cohesion = 1.5
+wind_factor = 4
+brightness = 1.25
+color_noise = 0.4
+color_noise_scale = 3
+inner_radius = 0.3
+inner_alpha = 1.5
+first_frame = -3
+kindling_frames = 10
+lifetime = 90
+growth_frames = 6
+[[fire.flame]]
+position = [0, 1, 2]
+normal = [0, 1, 1]
+height = 3
+width = 0.75
+brightness = 0.5
+first_frame = 12
+[[fire.ramp]]
+age = 0.25
+center = [1, 0.75, 0.5]
+rim = [0.5, 0.25, 0]
+alpha = 0.5
+rim_alpha = 0.125
 [[wind]]
 kind = "uniform"
 velocity = [0.01, 0.02, 0.03]
@@ -289,6 +330,7 @@ fn index_of(section: &str, key: &str) -> usize {
     let (section, key) = match section.split_once('.') {
         Some(("generation_shape", _)) => ("system", "generation_shape"),
         Some(("edges", _)) => ("flock", "edges"),
+        Some(("roots", _)) => ("fire", "roots"),
         _ => (section, key),
     };
     let mut current = String::new();
@@ -297,7 +339,8 @@ fn index_of(section: &str, key: &str) -> usize {
             current = line
                 .trim_matches(['[', ']'])
                 .replace("system.", "")
-                .replace("flock.", "");
+                .replace("flock.", "")
+                .replace("fire.", "");
         } else if let Some(kind) = line.strip_prefix("kind = ") {
             current = format!("{current}.{}", kind.trim_matches('"'));
         }
@@ -329,7 +372,7 @@ pub(crate) fn header_of(section: &str, key: &str) -> usize {
 /// [`FULL`] with another value for one key.
 pub(crate) fn with(section: &str, key: &str, value: &str) -> String {
     let line = match section.split_once('.') {
-        Some((variants @ ("generation_shape" | "edges"), kind)) => {
+        Some((variants @ ("generation_shape" | "edges" | "roots"), kind)) => {
             let fields = fields_of(section).iter();
             let others = fields.filter(|field| field.key != key);
             let others = others.map(|field| format!("{} = {}, ", field.key, field.sample()));
@@ -348,6 +391,7 @@ pub(crate) fn fields_of(section: &str) -> &'static [Field] {
         Some(("extinction", kind)) => (schema::EXTINCTIONS, kind),
         Some(("wind", kind)) => (schema::WINDS, kind),
         Some(("edges", kind)) => (schema::EDGES, kind),
+        Some(("roots", kind)) => (schema::ROOTS, kind),
         Some(("relation", kind)) => (schema::RELATIONS, kind),
         _ => {
             return match section {
@@ -358,6 +402,9 @@ pub(crate) fn fields_of(section: &str) -> &'static [Field] {
                 "system" => schema::SYSTEM,
                 "flock" => schema::FLOCK,
                 "region" => schema::REGION,
+                "fire" => schema::FIRE,
+                "flame" => schema::FLAME,
+                "ramp" => schema::RAMP,
                 "burst" => schema::BURST,
                 "inherit" => schema::INHERIT,
                 "planet" => schema::PLANET,

@@ -435,3 +435,94 @@ struct Lamp {
     place: vec4<f32>,
     color: vec4<f32>,
 }
+
+// Steps of a flame's trajectory: ages 0 to 24.
+const FLAME_STEPS: u32 = 25u;
+
+// A flame's root, 64 bytes, in world space. Its place among all is its fire's first and its index.
+struct Flame {
+    // x, y, z as bits; slot of its fire.
+    root_and_fire: vec4<u32>,
+    // The unit vector that it leaves along, as bits; the frame that it is kindled in.
+    normal_and_birth: vec4<u32>,
+    // How far its root has moved in this frame, as bits; index within its fire.
+    motion_and_index: vec4<u32>,
+    // Height, width and brightness as bits; 1 if it burns in this frame.
+    look: vec4<u32>,
+}
+
+// What the processor knows of one fire in one frame.
+struct FireFrame {
+    // Rows of the 3 x 4 transform from the fire's space to world space: now, and a frame ago.
+    world_from_fire_x: vec4<f32>,
+    world_from_fire_y: vec4<f32>,
+    world_from_fire_z: vec4<f32>,
+    earlier_world_from_fire_x: vec4<f32>,
+    earlier_world_from_fire_y: vec4<f32>,
+    earlier_world_from_fire_z: vec4<f32>,
+    // Extent of the roots: length, radius or scale; y: the inverse of their number.
+    roots: vec4<f32>,
+    // Means and half-widths of height and width.
+    extents: vec4<f32>,
+    // The unit vector against gravity; k_g.
+    rise: vec4<f32>,
+    // Where the noise has moved to, in cells; k_p.
+    noise: vec4<f32>,
+    // C times the number of steps; factor of the scene's wind; speed at first; length of a unit step
+    // as a share of the height.
+    motion: vec4<f32>,
+    // Brightness; C_noise times the number of steps; cells of that noise a world unit.
+    look: vec4<f32>,
+    // Opacity of the inner layer as a factor; the inverse of its radius.
+    inner: vec4<f32>,
+    // ROOTS_..., the fire's key, that of the noise, FIRE_....
+    kinds: vec4<u32>,
+    // First flame and how many; first listed flame and how many.
+    members: vec4<u32>,
+    // First face of the mesh and how many.
+    faces: vec4<u32>,
+    // The first frame; frames of kindling; frames that a flame burns, 0 for ever; frames of growth.
+    times: vec4<u32>,
+}
+
+// FireFrame.kinds.x: where flames stand.
+const ROOTS_LISTED: u32 = 0u;
+const ROOTS_LINE: u32 = 1u;
+const ROOTS_CIRCLE: u32 = 2u;
+const ROOTS_DISC: u32 = 3u;
+const ROOTS_MESH: u32 = 4u;
+// FireFrame.kinds.w: velocities are brought to length 1.
+const FIRE_NORMALISED: u32 = 1u;
+
+// A flame that is told by itself, in the fire's space; extents below 0 are the fire's.
+struct ListedFlame {
+    // w: height.
+    position: vec4<f32>,
+    // w: width.
+    normal: vec4<f32>,
+    // x: brightness.
+    look: vec4<f32>,
+    // First frame; LISTED_....
+    kinds: vec4<u32>,
+}
+
+// ListedFlame.kinds.y: it has a first frame of its own.
+const LISTED_FIRST_FRAME: u32 = 1u;
+
+// What a fire's particles look like at one age.
+struct AgeLook {
+    // Red, green, blue and opacity.
+    center: vec4<f32>,
+    rim: vec4<f32>,
+    // Scales of the half-width and of the half-height.
+    scale: vec4<f32>,
+}
+
+// One particle of a flame as it is seen; floats are bits.
+struct FlameDisc {
+    // Centre, pixels; reciprocals of its half-width and half-height in pixels.
+    place: vec4<u32>,
+    // Red, green, blue and opacity.
+    center: vec4<u32>,
+    rim: vec4<u32>,
+}

@@ -5,14 +5,15 @@ use std::path::Path;
 use crate::cli::CliError;
 use crate::layout::FrameStats;
 use crate::output::{
-    BoidCounts, LinearImage, Measured, ParticleCounts, Picture, Pixels, Rgba8Image, StatsRow,
-    SystemCounts, dump_path, write_boids, write_particles,
+    BoidCounts, FlameCounts, LinearImage, Measured, ParticleCounts, Picture, Pixels, Rgba8Image,
+    StatsRow, SystemCounts, dump_path, write_boids, write_flames, write_particles,
 };
 use crate::plan::Population;
 use crate::scene::Scene;
 use crate::simulation::Simulation;
 
-/// The rows of a frame, whose line of statistics is given: its populations' and its picture's.
+/// The rows of a frame, whose line of statistics is given: its populations', its flocks' and its
+/// picture's.
 pub(super) fn rows_of(
     simulation: &mut Simulation,
     line: &FrameStats,
@@ -38,6 +39,8 @@ pub(super) fn rows_of(
         born: if begins { plan.boid_count.into() } else { 0 },
         live: plan.boid_count.into(),
     };
+    let [born, died, live] = plan.flames_at(line.frame.cast_signed()).map(u64::from);
+    let flames = FlameCounts { born, died, live };
     let populations: Vec<Population> = plan.populations().collect();
     let mut rows = Vec::new();
     let mut row = |population, measured, digest| {
@@ -45,7 +48,7 @@ pub(super) fn rows_of(
             frame: line.frame,
             population,
             measured,
-            digest: Some(digest),
+            digest,
         };
         rows.push(row.to_line());
     };
@@ -53,12 +56,19 @@ pub(super) fn rows_of(
         let measured = match population {
             Population::Systems => Measured::Systems(systems),
             Population::Boids => Measured::Boids(boids),
+            Population::Flames => Measured::Flames(flames),
             _ => Measured::Particles(counts),
         };
         let digest = simulation.population_digest(population)?;
-        row(population.name(), measured, digest);
+        row(population.name(), measured, Some(digest));
     }
-    row("image", Measured::Image, simulation.image_digest()?);
+    let metrics = simulation.flock_metrics()?;
+    let image_digest = simulation.image_digest()?;
+    for (name, metrics) in simulation.plan().flock_names().zip(metrics) {
+        let born = if begins { metrics.count.into() } else { 0 };
+        row(name, Measured::Flock { born, metrics }, None);
+    }
+    row("image", Measured::Image, Some(image_digest));
     Ok(rows)
 }
 
@@ -72,6 +82,7 @@ pub(super) fn dump(simulation: &mut Simulation, dir: &Path, frame: u32) -> Resul
         let path = dump_path(dir, population.name(), frame);
         match population {
             Population::Boids => write_boids(&path, &simulation.boids()?)?,
+            Population::Flames => write_flames(&path, &simulation.flames()?)?,
             _ => write_particles(&path, &simulation.particles()?)?,
         }
     }

@@ -53,7 +53,10 @@ impl Job<'_> {
     ) -> Result<Summary, CliError> {
         let frames = &self.request.frames;
         let mut summary = Summary {
-            most_live: simulation.plan().boid_count,
+            most_live: simulation
+                .plan()
+                .boid_count
+                .max(simulation.plan().flame_count),
             ..Summary::default()
         };
         let next = self.take_over(finished, &mut summary)?;

@@ -8,7 +8,7 @@ use crate::output::Picture;
 pub(super) struct Summary {
     /// Births left out for want of room.
     pub(super) dropped: u64,
-    /// Most particles alive after a frame, or the number of boids if that is greater.
+    /// Most particles alive after a frame, or the number of boids or flames if that is greater.
     pub(super) most_live: u32,
     /// Whether any pixel differed from the others of its picture.
     pub(super) lit: bool,

@@ -2,6 +2,8 @@
 
 pub mod boid_shapes;
 pub mod cover;
+pub mod flame_discs;
+pub mod glow;
 pub mod planet;
 pub mod resolve;
 pub mod shapes;

@@ -1,9 +1,11 @@
 //! Checks that look at more than one key: each value here has already passed its own.
 
+mod fires;
 mod flocks;
 mod parents;
 mod tracks;
 
+pub(super) use fires::{fire, flames};
 pub(super) use flocks::{boids, no_such_flock};
 pub(super) use parents::parents;
 pub(super) use tracks::tracks;
@@ -267,9 +269,9 @@ fn lifetime_fault(lifetime: Spread<f32>, path: &str) -> Option<Fault> {
     })
 }
 
-/// No two systems have the same name, no two flocks and no two layers.
+/// No two systems have the same name, no two flocks, fires or layers.
 pub(super) fn unique_names(root: &Node) -> Result<(), SceneError> {
-    for kind in ["system", "flock", "layer"] {
+    for kind in ["system", "flock", "fire", "layer"] {
         let Some(Value::Array(nodes)) = root.entry(kind).map(|entry| &entry.node.value) else {
             continue;
         };

@@ -1,11 +1,14 @@
 //! TOML → [`Scene`]: each key of the [`schema`](super::schema) goes to its place in the types.
 
+mod fire;
 mod flock;
 mod system;
 mod wind;
 
+use std::path::PathBuf;
 use std::rc::Rc;
 
+use self::fire::fires;
 use self::flock::flocks;
 use self::system::systems;
 use self::wind::wind;
@@ -37,6 +40,8 @@ impl Draft {
         name: &str,
         files: Files,
     ) -> Result<Self, SceneError> {
+        // Some editors begin a text with a byte order mark.
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let source = Rc::new(Source {
             file: file.to_owned(),
             text: text.to_owned(),
@@ -54,6 +59,12 @@ impl Draft {
         set::apply(&mut self.root, set)
     }
 
+    /// Every file that was opened for it up to now, with what it is to the scene: its own, meshes,
+    /// and their buffers.
+    pub(crate) fn files(&self) -> Vec<(&'static str, PathBuf)> {
+        self.files.opened()
+    }
+
     /// The scene that it is now, checked.
     pub(crate) fn scene(&self) -> Result<Scene, SceneError> {
         scene(&self.root, &self.name, &self.files)
@@ -62,7 +73,7 @@ impl Draft {
 
 fn scene(root: &Node, name: &str, files: &Files) -> Result<Scene, SceneError> {
     let table = Reader::new(String::new(), SCENE, root)?;
-    let table = if table.has("flock") {
+    let table = if table.has("flock") || table.has("fire") {
         table
     } else {
         table.needs("system")
@@ -83,6 +94,7 @@ fn scene(root: &Node, name: &str, files: &Files) -> Result<Scene, SceneError> {
             .may("system", |spot| systems(spot, files))?
             .unwrap_or_default(),
         flocks: table.must("flock", flocks)?,
+        fires: table.must("fire", |spot| fires(spot, files))?,
         light: table.must("light", light)?,
         planet: table.may("planet", planet)?,
         lamps: table.must("lamp", |spot| list(spot, lamp))?,
@@ -90,7 +102,7 @@ fn scene(root: &Node, name: &str, files: &Files) -> Result<Scene, SceneError> {
         layers: table.must("layer", |spot| list(spot, layer))?,
         tracks: Vec::new(),
     };
-    if scene.systems.is_empty() && scene.flocks.is_empty() {
+    if scene.systems.is_empty() && scene.flocks.is_empty() && scene.fires.is_empty() {
         return Err(table.missing("system"));
     }
     check::unique_names(root)?;

@@ -39,7 +39,10 @@ pub fn json_schema() -> String {
         let properties = Json::Object(vec![(key.to_owned(), filled)]);
         Json::object([("required", Json::texts([key])), ("properties", properties)])
     };
-    let somebody = Json::object([("anyOf", Json::Array(vec![list("system"), list("flock")]))]);
+    let somebody = Json::object([(
+        "anyOf",
+        Json::Array(vec![list("system"), list("flock"), list("fire")]),
+    )]);
     joined(joined(head, table(SCENE)), somebody).pretty()
 }
 

@@ -1,6 +1,7 @@
 //! The tables themselves. A row: key, kind, default or example, unit, meaning, and the
 //! section of the paper that it comes from. Rows in `keyed` may change with the frame.
 
+use super::fires::FIRE;
 use super::flocks::FLOCK;
 use super::kinds::{EXTINCTIONS, GENERATION_SHAPES, WINDS};
 use super::rows::{
@@ -18,11 +19,12 @@ pub const SCENE: &[Field] = &[
     default("seed", whole(0, i64::MAX), "1", "", "decides every random number", "Reeves 3"),
     optional("capacity", whole(1, 1_000_000_000), "200_000", "particles", "most particles alive at once; computed from births and lifetimes if left out", ""),
     optional("max_systems", whole(1, 16_384), "400", "systems", "most systems that others bear at once, those included whose particles still live; computed from births and lifetimes if left out", "Reeves 2.6"),
-    optional("steady_particles", whole(1, 1_000_000_000), "1_000_000", "particles", "how many are alive once births and deaths balance; `motes bench --particles` scales all births by it to reach other counts, and scenes without it have one count only", ""),
+    optional("steady_particles", whole(1, 1_000_000_000), "1_000_000", "particles", "how many are alive once births and deaths balance; `motes bench --particles` scales all births by it to reach other counts; scenes without it have one count only, but for those of flocks alone, which scale by their boids", ""),
     default("image", Kind::Table(IMAGE), "{}", "", "the picture that frames are drawn into", ""),
     required("camera", Kind::Table(CAMERA), "{ position = [0, 1, 5], target = [0, 0, 0] }", "", "the viewer", ""),
-    optional("system", Kind::Tables { fields: SYSTEM, max: 1024 }, "[{ name = \"jet\", initial_mean_parts = 100, generation_shape = { kind = \"sphere\", radius = 1 }, speed = 0.1, lifetime = 60, color = [0.4, 0.1, 0.02], size = 0.02 }]", "", "the particle systems, one `[[system]]` each; a scene without a flock has at least one", "Reeves 2"),
+    optional("system", Kind::Tables { fields: SYSTEM, max: 1024 }, "[{ name = \"jet\", initial_mean_parts = 100, generation_shape = { kind = \"sphere\", radius = 1 }, speed = 0.1, lifetime = 60, color = [0.4, 0.1, 0.02], size = 0.02 }]", "", "the particle systems, one `[[system]]` each; a scene without a flock or a fire has at least one", "Reeves 2"),
     default("flock", Kind::Tables { fields: FLOCK, max: 64 }, "[]", "", "the flocks, one `[[flock]]` each", ""),
+    default("fire", Kind::Tables { fields: FIRE, max: 64 }, "[]", "", "the fires, one `[[fire]]` each", "Perry 3.2"),
     default("light", Kind::Table(LIGHT), "{}", "", "the light that the planet reflects, and particles which cover and are shaded", "Reeves 5"),
     optional("planet", Kind::Table(PLANET), "{ radius = 10 }", "", "a ball with a surface: it hides what is behind it, and is lit", "Reeves 3"),
     default("lamp", Kind::Tables { fields: LAMP, max: 16 }, "[]", "", "lights near the planet, one `[[lamp]]` each", "Reeves 3"),

@@ -2,9 +2,9 @@
 
 use super::json::sentence;
 use super::{
-    BURST, CAMERA, EDGES, EXTINCTIONS, FLOCK, Field, GENERATION_SHAPES, IMAGE, INHERIT, Kind, LAMP,
-    LAYER, LIGHT, Limits, PLANET, Presence, REGION, RELATIONS, SCENE, SYSTEM, Variant, WINDS,
-    parent_of,
+    BURST, CAMERA, EDGES, EXTINCTIONS, FIRE, FLAME, FLOCK, Field, GENERATION_SHAPES, IMAGE,
+    INHERIT, Kind, LAMP, LAYER, LIGHT, Limits, PLANET, Presence, RAMP, REGION, RELATIONS, ROOTS,
+    SCENE, SYSTEM, Variant, WINDS, parent_of,
 };
 use crate::scene::expect::{digits, range};
 
@@ -79,6 +79,16 @@ pub fn reference_page() -> String {
                  kind. Predators and attractors are flocks that others avoid and approach.";
     let header = "[[flock.relation]]";
     page += &kinds("`[[flock.relation]]`", about, RELATIONS, list(header));
+    let about =
+        "A fire, as many as you like: flames of one kind, each the whole way of one particle.";
+    page += &section("`[[fire]]`", about, FIRE);
+    let about = "A flame that is told by itself, inside the `[[fire]]` above it.";
+    page += &section("`[[fire.flame]]`", about, FLAME);
+    let about = "Where the flames of a fire stand: a table by its kind.";
+    page += &kinds("`roots`", about, ROOTS, inline("roots"));
+    let about =
+        "What the particle of a flame looks like at an age, inside the `[[fire]]` above it.";
+    page += &section("`[[fire.ramp]]`", about, RAMP);
     let about = "A part of the wind, which is the sum of all of them and moves the particles of \
                  systems with `drag`: a table by its kind.";
     page += &kinds("`[[wind]]`", about, WINDS, list("[[wind]]"));

@@ -3,6 +3,7 @@
 //! The reader takes its rules from these tables, so what they say is what is enforced. A key is
 //! written `--set`-style: `image.width`, `system.0.speed.mean`.
 
+mod fires;
 mod flocks;
 mod json;
 mod keys;
@@ -10,6 +11,7 @@ mod kinds;
 mod markdown;
 mod rows;
 
+pub use fires::{FIRE, FLAME, RAMP, ROOTS};
 pub use flocks::{EDGES, FLOCK, REGION, RELATIONS};
 pub use json::json_schema;
 pub use keys::{BURST, CAMERA, IMAGE, INHERIT, LAMP, LAYER, LIGHT, PLANET, SCENE, SYSTEM};
@@ -225,7 +227,7 @@ fn default_mean(toml: &'static str) -> &'static str {
 /// The list of tables that tables of this key stand in, if not in the file itself.
 pub(in crate::scene) fn parent_of(key: &str) -> Option<&'static str> {
     let has = |fields: &[Field]| fields.iter().any(|field| field.key == key);
-    [("system", SYSTEM), ("flock", FLOCK)]
+    [("system", SYSTEM), ("flock", FLOCK), ("fire", FIRE)]
         .into_iter()
         .find_map(|(parent, fields)| has(fields).then_some(parent))
 }

@@ -1,7 +1,7 @@
 //! Which values can change with the frame, and where they are.
 
 use super::Owner;
-use crate::scene::{GenerationShape, Scene, System, Wind};
+use crate::scene::{Fire, GenerationShape, Scene, System, Wind};
 
 /// The numbers that a key names, if they may change with the frame.
 pub(super) fn numbers_of<'a>(
@@ -34,6 +34,7 @@ pub(super) fn numbers_of<'a>(
             }
         }
         Owner::Wind(at) => return wind_numbers(scene.winds.get_mut(at)?, key),
+        Owner::Fire(at) => return fire_numbers(scene.fires.get_mut(at)?, key),
     })
 }
 
@@ -72,6 +73,25 @@ fn system_numbers<'a>(system: &'a mut System, key: &str) -> Option<&'a mut [f32]
                 key.strip_prefix("generation_shape.")?,
             );
         }
+    })
+}
+
+fn fire_numbers<'a>(fire: &'a mut Fire, key: &str) -> Option<&'a mut [f32]> {
+    use std::slice::from_mut as one;
+    Some(match key {
+        "position" => &mut fire.position,
+        "rotation_degrees" => &mut fire.rotation_degrees,
+        "height.mean" => one(&mut fire.height.mean),
+        "height.var" => one(&mut fire.height.var),
+        "width.mean" => one(&mut fire.width.mean),
+        "width.var" => one(&mut fire.width.var),
+        "buoyancy" => one(&mut fire.buoyancy),
+        "noisiness" => one(&mut fire.noisiness),
+        "wind_factor" => one(&mut fire.wind_factor),
+        "brightness" => one(&mut fire.brightness),
+        "color_noise" => one(&mut fire.color_noise),
+        "inner_alpha" => one(&mut fire.inner_alpha),
+        _ => return None,
     })
 }
 

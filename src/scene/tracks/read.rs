@@ -3,7 +3,7 @@
 use super::form::{is_animated, pairs};
 use super::places::numbers_of;
 use super::{Interpolation, Key, Owner, Track};
-use crate::scene::schema::{CAMERA, Field, IMAGE, Kind, LAMP, SYSTEM, WINDS};
+use crate::scene::schema::{CAMERA, FIRE, Field, IMAGE, Kind, LAMP, SYSTEM, WINDS};
 use crate::scene::tree::{Node, Value};
 use crate::scene::{Scene, SceneError};
 
@@ -35,10 +35,11 @@ pub(in crate::scene) fn collect(root: &Node, scene: &mut Scene) -> Result<(), Sc
                         "system" => Some(Owner::System(at)),
                         "wind" => Some(Owner::Wind(at)),
                         "lamp" => Some(Owner::Lamp(at)),
+                        "fire" => Some(Owner::Fire(at)),
                         _ => None,
                     };
                     let name = match (kind, node.entry("name")) {
-                        ("system", Some(name)) => name.node.text().map(str::to_owned),
+                        ("system" | "fire", Some(name)) => name.node.text().map(str::to_owned),
                         _ => None,
                     };
                     let name = name.unwrap_or_else(|| at.to_string());
@@ -172,6 +173,7 @@ fn able(owner: Owner, scene: &Scene) -> Vec<String> {
         Owner::Wind(_) => WINDS.iter().flat_map(|wind| wind.fields).collect(),
         Owner::Lamp(_) => LAMP.iter().collect(),
         Owner::System(_) => SYSTEM.iter().collect(),
+        Owner::Fire(_) => FIRE.iter().collect(),
     };
     let is_wind = matches!(owner, Owner::Wind(_));
     let mut able: Vec<String> = Vec::new();

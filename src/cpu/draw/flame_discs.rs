@@ -1,0 +1,103 @@
+//! flame_discs: the particles along a flame as they are seen. Twin of `wgsl/draw/flame_discs.wgsl`.
+
+use glam::{IVec2, Vec3, Vec4};
+
+use super::splat::layer_of;
+use crate::cpu::flame_disc::LEAST_HALF_AXIS_PX;
+use crate::cpu::projection::project;
+use crate::exact::{
+    bits_of, clamp_exact, f32_of_u32, less, max_exact, reciprocal, shared_constants, to_i32, to_u32,
+};
+use crate::layout::{AgeLook, FLAME_STEPS, FireFrame, Flame, FlameDisc};
+use crate::noise::noise;
+use crate::plan::FrameInputs;
+
+shared_constants! {
+    /// Half-axes in pixels, at most.
+    pub const MOST_HALF_AXIS_PX: f32 = 16_384.0;
+}
+
+/// A half-axis that is drawn, and how much fainter it is for that.
+#[inline]
+fn half_axis(pixels: f32) -> (f32, f32) {
+    let drawn = max_exact(pixels, LEAST_HALF_AXIS_PX);
+    (drawn, pixels * reciprocal(drawn))
+}
+
+/// The colours of centre and rim of a particle of that age at a place; `looks` are the fire's.
+#[inline]
+fn colors_of(fire: &FireFrame, looks: &[AgeLook], age: u32, p: Vec3) -> [Vec4; 2] {
+    let at = p * fire.look[2] + Vec3::from_slice(&fire.noise);
+    let moved = f32_of_u32(age) + noise(at, fire.kinds[2]).w * fire.look[1];
+    let last = f32_of_u32(FLAME_STEPS - 1);
+    let index = clamp_exact(moved, 0.0, last);
+    let low = to_u32(index).min(FLAME_STEPS - 2);
+    let part = index - f32_of_u32(low);
+    let [here, next] = [looks[low as usize], looks[low as usize + 1]];
+    let mixed = |here: [f32; 4], next: [f32; 4]| {
+        Vec4::from(here) + (Vec4::from(next) - Vec4::from(here)) * part
+    };
+    [mixed(here.center, next.center), mixed(here.rim, next.rim)]
+}
+
+/// The discs of a flame whose particle is at these places, from age 0 on, and what is
+/// known of all of them: first column, and one past the last in the upper 16 bits; the same of lines,
+/// both 0 for none; x and y of [`FireFrame::inner`] as bits.
+pub fn flame_discs(
+    inputs: &FrameInputs,
+    flame: &Flame,
+    steps: &[[u32; 4]],
+    discs: &mut [FlameDisc],
+) -> [u32; 4] {
+    let frame = &inputs.frame;
+    let [_, width, brightness, burns] = flame.look;
+    let half_width = 0.5 * f32::from_bits(width);
+    let brightness = f32::from_bits(brightness);
+    let root = Vec3::from(flame.root());
+    let here = frame.layer == 0 || layer_of(&inputs.layer_planes, root) == frame.layer;
+    let burns = here && burns == 1;
+    let size = IVec2::new(frame.width as i32, frame.height as i32);
+    let (mut low, mut high) = (size, IVec2::ZERO);
+    let first_look = (flame.fire() * FLAME_STEPS) as usize;
+    let looks = &inputs.age_looks[first_look..];
+    let fire = &inputs.fires[flame.fire() as usize];
+    for (age, ((step, look), disc)) in (0..).zip(steps.iter().zip(looks).zip(discs)) {
+        let [x, y, z, _] = step.map(f32::from_bits);
+        let place = Vec3::new(x, y, z);
+        let seen = project(frame, place);
+        let [center, rim] = colors_of(fire, looks, age, place);
+        let (across, fainter) = half_axis(half_width * look.scale[0] * seen.scale);
+        let (along, fainter_still) = half_axis(half_width * look.scale[1] * seen.scale);
+        let is_near = less(MOST_HALF_AXIS_PX, across) || less(MOST_HALF_AXIS_PX, along);
+        let is_seen = burns && !is_near && !less(seen.depth, frame.near);
+        let opacity = if is_seen {
+            brightness * fainter * fainter_still
+        } else {
+            0.0
+        };
+        let with = |color: Vec4| {
+            let [red, green, blue, alpha] = color.to_array();
+            [red, green, blue, alpha * opacity].map(bits_of)
+        };
+        *disc = FlameDisc {
+            place: [seen.x, seen.y, reciprocal(across), reciprocal(along)].map(bits_of),
+            center: with(center),
+            rim: with(rim),
+        };
+        if is_seen {
+            let first = IVec2::new(to_i32(seen.x - across), to_i32(seen.y - along));
+            let last = IVec2::new(to_i32(seen.x + across) + 1, to_i32(seen.y + along) + 1);
+            low = low.min(first);
+            high = high.max(last);
+        }
+    }
+    low = low.max(IVec2::ZERO);
+    high = high.min(size);
+    let bounds = if low.x < high.x && low.y < high.y {
+        [low.x | (high.x << 16), low.y | (high.y << 16)]
+    } else {
+        [0; 2]
+    };
+    let [across, down] = bounds.map(i32::cast_unsigned);
+    [across, down, bits_of(fire.inner[0]), bits_of(fire.inner[1])]
+}

@@ -1,0 +1,49 @@
+//! glow: a flame adds its light to the pixels it touches (Perry 1994, 3.2.2). Twin of
+//! `wgsl/draw/glow.wgsl`.
+
+use glam::{Vec3, Vec4};
+
+use crate::cpu::flame_disc::{center_share, disc_light};
+use crate::cpu::light::{LightSums, steps_of};
+use crate::exact::{f32_of_u32, less};
+use crate::layout::FlameDisc;
+
+/// Adds the light of the discs of one flame, of which [`flame_discs`](super::flame_discs) tells the
+/// `bounds`.
+pub fn glow(discs: &[FlameDisc], [across, down, inner @ ..]: [u32; 4], light: &LightSums) {
+    let (left, right) = (across & 0xffff, across >> 16);
+    let (top, bottom) = (down & 0xffff, down >> 16);
+    let inner = inner.map(f32::from_bits);
+    let mut sums = vec![Vec3::ZERO; (right - left) as usize];
+    for y in top..bottom {
+        sums.fill(Vec3::ZERO);
+        let line = f32_of_u32(y) + 0.5;
+        // From the root up in every pixel, as sums of floats depend on the order.
+        for disc in discs {
+            let [place_x, place_y, inverse_width, inverse_height] = disc.place.map(f32::from_bits);
+            let down = (line - place_y) * inverse_height;
+            if !less(down.abs(), 1.0) {
+                continue;
+            }
+            let [center, rim] =
+                [disc.center, disc.rim].map(|bits| Vec4::from(bits.map(f32::from_bits)));
+            // What is farther has no share, and two pixels are more than rounding.
+            let reach = 1.0 / inverse_width + 2.0;
+            let first = ((place_x - reach) as u32).clamp(left, right);
+            let last = ((place_x + reach) as u32).clamp(first, right);
+            for x in first..last {
+                let across = (f32_of_u32(x) + 0.5 - place_x) * inverse_width;
+                sums[(x - left) as usize] +=
+                    disc_light(center, rim, inner, center_share(across, down));
+            }
+        }
+        for (x, sum) in (left..right).zip(&sums) {
+            if less(0.0, sum.x + sum.y + sum.z) {
+                let first = (y * light.width + x) as usize * 3;
+                for (channel, value) in sum.to_array().into_iter().enumerate() {
+                    light.add(first + channel, steps_of(value));
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,232 @@
+//! A fire's part of a frame: where its flames stand, what moves and colours them.
+
+use glam::{UVec4, Vec3};
+
+use super::Plan;
+use super::meshes::MeshTables;
+use super::system::{name_key, pose_of};
+use crate::exact::{normalize_exact, snap};
+use crate::layout::{self, AgeLook, FLAME_STEPS, FireFrame};
+use crate::noise::PERIOD;
+use crate::rng::pcg4d;
+use crate::scene::{Fire, Profile, RampStop, Roots, Scene};
+use crate::transcendental::sin_turns;
+
+/// Marks hashes that make fires' keys.
+const FIRE_TAG: u32 = 0x6669_7265;
+
+/// Marks the hash that makes the key of the noise that all flames bend in.
+const NOISE_TAG: u32 = 0x666c_6d65;
+
+/// Steps from the root to the tip.
+const STEPS_UP: f32 = (FLAME_STEPS - 1) as f32;
+
+/// All that is known of the fires in one frame: the fires, the flames told one by one, and looks by
+/// age, [`FLAME_STEPS`] for each fire.
+type Fires = (Vec<FireFrame>, Vec<layout::ListedFlame>, Vec<AgeLook>);
+
+/// The fires of a frame; `now` and `earlier` are the scene as it is then, and as it was a frame ago.
+pub(super) fn fires_of(now: &Scene, earlier: &Scene, meshes: &MeshTables, frame: i32) -> Fires {
+    let mut fires = Vec::new();
+    let mut listed = Vec::new();
+    let mut looks = Vec::new();
+    let mut first = 0;
+    for (fire, before) in now.fires.iter().zip(&earlier.fires) {
+        let members = [
+            first,
+            fire.count(),
+            listed.len() as u32,
+            fire.listed.len() as u32,
+        ];
+        fires.push(FireFrame {
+            members,
+            ..fire_frame(fire, before, meshes, now.seed, frame)
+        });
+        first += fire.count();
+        listed.extend(fire.listed.iter().map(listed_flame));
+        looks.extend((0..FLAME_STEPS).map(|age| look_at(fire, age)));
+    }
+    (fires, listed, looks)
+}
+
+fn fire_frame(
+    fire: &Fire,
+    earlier: &Fire,
+    meshes: &MeshTables,
+    seed: u64,
+    frame: i32,
+) -> FireFrame {
+    let here = pose_of(fire.position, fire.rotation_degrees);
+    let before = pose_of(earlier.position, earlier.rotation_degrees);
+    let (kind, extent) = match fire.roots {
+        Roots::Listed => (layout::ROOTS_LISTED, 0.0),
+        Roots::Line { length, .. } => (layout::ROOTS_LINE, length),
+        Roots::Circle { radius, .. } => (layout::ROOTS_CIRCLE, radius),
+        Roots::Disc { radius, .. } => (layout::ROOTS_DISC, radius),
+        Roots::Mesh { scale, .. } => (layout::ROOTS_MESH, scale),
+    };
+    let faces = match &fire.roots {
+        Roots::Mesh { mesh, .. } => meshes.place_of(mesh).unwrap_or((0, 1)),
+        _ => (0, 0),
+    };
+    let up = normalize_exact(-Vec3::from(fire.gravity));
+    // Disturbances rise: the places looked at sink through the noise (3.2.3).
+    let sunk = (f64::from(fire.sampling) * f64::from(frame)) % PERIOD;
+    let offset = up * -(sunk as f32);
+    let flags = if fire.normalised {
+        layout::FIRE_NORMALISED
+    } else {
+        0
+    };
+    let burning = fire.burning;
+    FireFrame {
+        world_from_fire_x: here[0],
+        world_from_fire_y: here[1],
+        world_from_fire_z: here[2],
+        earlier_world_from_fire_x: before[0],
+        earlier_world_from_fire_y: before[1],
+        earlier_world_from_fire_z: before[2],
+        roots: [extent, 1.0 / fire.roots.count().max(1) as f32, 0.0, 0.0].map(snap),
+        extents: [
+            fire.height.mean,
+            fire.height.var,
+            fire.width.mean,
+            fire.width.var,
+        ]
+        .map(snap),
+        rise: [up.x, up.y, up.z, fire.buoyancy].map(snap),
+        noise: [offset.x, offset.y, offset.z, fire.inverse_cohesion].map(snap),
+        motion: [
+            fire.noisiness * STEPS_UP,
+            fire.wind_factor,
+            if fire.normalised {
+                1.0
+            } else {
+                fire.start_speed
+            },
+            unit_step(fire),
+        ]
+        .map(snap),
+        look: [
+            fire.brightness,
+            fire.color_noise * STEPS_UP,
+            fire.color_noise_scale,
+            0.0,
+        ]
+        .map(snap),
+        inner: [fire.inner_alpha, 1.0 / fire.inner_radius, 0.0, 0.0].map(snap),
+        kinds: [
+            kind,
+            name_key(seed, &fire.name, FIRE_TAG),
+            noise_key(seed),
+            flags,
+        ],
+        members: [0; 4],
+        faces: [faces.0, faces.1, 0, 0],
+        times: [
+            burning.first_frame.cast_unsigned(),
+            burning.kindling_frames,
+            burning.lifetime.unwrap_or(0),
+            burning.growth_frames,
+        ],
+    }
+}
+
+/// One noise for all fires, so that flames of several move together where they are near.
+fn noise_key(seed: u64) -> u32 {
+    pcg4d(UVec4::new(seed as u32, (seed >> 32) as u32, 0, NOISE_TAG)).x
+}
+
+/// How far a speed of 1 goes in a step, as a share of the height: so far that a flame which starts
+/// upward in still air is as high as it should be. In steps of one length that is a 24th.
+fn unit_step(fire: &Fire) -> f32 {
+    if fire.normalised {
+        return 1.0 / STEPS_UP;
+    }
+    // The sum of the speeds s, s + k, s + 2 k and so on.
+    let sum = STEPS_UP * fire.start_speed + 0.5 * STEPS_UP * (STEPS_UP - 1.0) * fire.buoyancy;
+    if sum > 1.0 { 1.0 / sum } else { 1.0 / STEPS_UP }
+}
+
+fn listed_flame(flame: &crate::scene::ListedFlame) -> layout::ListedFlame {
+    let with = |[x, y, z]: [f32; 3], w: f32| [x, y, z, w].map(snap);
+    let normal = normalize_exact(Vec3::from(flame.normal));
+    let own = u32::from(flame.first_frame.is_some()) * layout::LISTED_FIRST_FRAME;
+    layout::ListedFlame {
+        position: with(flame.position, flame.height.unwrap_or(-1.0)),
+        normal: with(normal.into(), flame.width.unwrap_or(-1.0)),
+        look: [flame.brightness, 0.0, 0.0, 0.0].map(snap),
+        kinds: [flame.first_frame.unwrap_or(0).cast_unsigned(), own, 0, 0],
+    }
+}
+
+/// The look at an age: xfac = 0.67 + 0.4 sin(pi age/24), the height linear (3.2.2, footnote 1).
+fn look_at(fire: &Fire, age: u32) -> AgeLook {
+    let share = age as f32 / STEPS_UP;
+    let Profile {
+        base_width,
+        swell,
+        base_height,
+        height_growth,
+    } = fire.profile;
+    let width = base_width + swell * sin_turns(0.5 * share);
+    let height = base_height + height_growth * age as f32;
+    let stop = stop_at(&fire.ramp, share);
+    let with = |[x, y, z]: [f32; 3], w: f32| [x, y, z, w].map(snap);
+    AgeLook {
+        center: with(stop.center, stop.alpha),
+        rim: with(stop.rim, stop.rim_alpha),
+        scale: [width, height, 0.0, 0.0].map(snap),
+    }
+}
+
+/// The ramp at a share of the trajectory: linear between stops, and as at the ends beyond them.
+fn stop_at(ramp: &[RampStop], age: f32) -> RampStop {
+    let after = ramp.partition_point(|stop| stop.age <= age);
+    let (Some(low), Some(high)) = (
+        after.checked_sub(1).and_then(|at| ramp.get(at)),
+        ramp.get(after),
+    ) else {
+        let end = if after == 0 {
+            ramp.first()
+        } else {
+            ramp.last()
+        };
+        return *end.expect("a ramp has a stop");
+    };
+    let share = (age - low.age) / (high.age - low.age);
+    let mix = |a: f32, b: f32| a + (b - a) * share;
+    let mixed = |a: [f32; 3], b: [f32; 3]| [0, 1, 2].map(|i| mix(a[i], b[i]));
+    RampStop {
+        age,
+        center: mixed(low.center, high.center),
+        rim: mixed(low.rim, high.rim),
+        alpha: mix(low.alpha, high.alpha),
+        rim_alpha: mix(low.rim_alpha, high.rim_alpha),
+    }
+}
+
+impl Plan {
+    /// How many flames each fire has.
+    pub fn flame_counts(&self) -> impl Iterator<Item = u32> + '_ {
+        let (_, scene) = &self.variants[0];
+        scene.fires.iter().map(Fire::count)
+    }
+
+    /// How many flames begin in a frame, end in it, and burn in it. A run begins with those that
+    /// burn in its first frame.
+    pub fn flames_at(&self, frame: i32) -> [u32; 3] {
+        let mut counts = [0; 3];
+        for fire in &self.scene_at(frame).fires {
+            for index in 0..fire.count() {
+                let age = i64::from(frame) - i64::from(fire.birth_frame(index));
+                let lifetime = fire.burning.lifetime.map_or(i64::MAX, i64::from);
+                let begins = age == 0 || (frame == self.first_frame && age >= 0);
+                counts[0] += u32::from(begins && age < lifetime);
+                counts[1] += u32::from(age == lifetime && frame > self.first_frame);
+                counts[2] += u32::from((0..lifetime).contains(&age));
+            }
+        }
+        counts
+    }
+}

@@ -1,0 +1,45 @@
+//! Checks of fires.
+
+use crate::scene::read::{Reader, Spot};
+use crate::scene::{Fire, SceneError};
+
+/// Flames of all fires at most: what a binding holds of their discs on every adapter.
+const MOST_FLAMES: u64 = 100_000;
+
+/// There are not too many flames.
+pub(in crate::scene) fn flames(fires: &[Fire], spot: &Spot<'_>) -> Result<(), SceneError> {
+    let total: u64 = fires.iter().map(|fire| u64::from(fire.count())).sum();
+    if total <= MOST_FLAMES {
+        return Ok(());
+    }
+    let what = format!("the fires have {total} flames in all, too many");
+    let help = format!("`count`s and listed flames that sum to at most {MOST_FLAMES}");
+    Err(spot.node.at.error(what, help))
+}
+
+/// The fire has a flame, each of them a height, and colours in ascending order.
+pub(in crate::scene) fn fire(fire: &Fire, table: &Reader<'_>) -> Result<(), SceneError> {
+    if fire.count() == 0 {
+        let what = format!("`{}` has no flame", table.path());
+        let help = "roots = { kind = \"line\", length = 2, count = 20 }, or a `[[fire.flame]]` \
+                    with a position";
+        return Err(table.at("roots").error(what, help));
+    }
+    if fire.ramp.is_empty() {
+        let what = format!("`{}` is empty", table.path_of("ramp"));
+        let help = "at least one table with age, center, rim and alpha";
+        return Err(table.at("ramp").error(what, help));
+    }
+    let ascends = |two: &[crate::scene::RampStop]| two[0].age < two[1].age;
+    if let Some(at) = fire.ramp.windows(2).position(|two| !ascends(two)) {
+        let what = format!(
+            "`{}.{}.age` is {}, not more than the one before",
+            table.path_of("ramp"),
+            at + 1,
+            fire.ramp[at + 1].age
+        );
+        let help = "ages in ascending order";
+        return Err(table.at("ramp").error(what, help));
+    }
+    Ok(())
+}

@@ -1,0 +1,110 @@
+//! `[[fire]]`, with what is in it.
+
+use crate::scene::check;
+use crate::scene::files::Files;
+use crate::scene::read::{Reader, Spot};
+use crate::scene::schema::{FIRE, FLAME, RAMP};
+use crate::scene::values::{Quantity, choice, list, signed32, spread, text, variant, whole32};
+use crate::scene::{Burning, Fire, ListedFlame, Profile, RampStop, Roots, SceneError};
+
+/// Reads all fires.
+pub(super) fn fires(spot: &Spot<'_>, files: &Files) -> Result<Vec<Fire>, SceneError> {
+    let fires = list(spot, |at, spot| fire(at, spot, files))?;
+    check::flames(&fires, spot)?;
+    Ok(fires)
+}
+
+fn fire(at: usize, spot: &Spot<'_>, files: &Files) -> Result<Fire, SceneError> {
+    let name = spot.node.entry("name").and_then(|name| name.node.text());
+    let path = match name {
+        Some(name) if check::is_name(name) => format!("fire.{name}"),
+        _ => format!("fire.{at}"),
+    };
+    let table = Reader::new(path, FIRE, spot.node)?;
+    let fire = Fire {
+        name: table.must("name", text)?,
+        position: table.must("position", Quantity::read)?,
+        rotation_degrees: table.must("rotation_degrees", Quantity::read)?,
+        roots: table.must("roots", |spot| roots(spot, files))?,
+        listed: table.must("flame", |spot| list(spot, |_, spot| flame(spot)))?,
+        height: table.must("height", spread)?,
+        width: table.must("width", spread)?,
+        profile: Profile {
+            base_width: table.must("base_width", Quantity::read)?,
+            swell: table.must("swell", Quantity::read)?,
+            base_height: table.must("base_height", Quantity::read)?,
+            height_growth: table.must("height_growth", Quantity::read)?,
+        },
+        start_speed: table.must("start_speed", Quantity::read)?,
+        normalised: table.must("speed", choice)? == 0,
+        buoyancy: table.must("buoyancy", Quantity::read)?,
+        gravity: table.must("gravity", check::direction)?,
+        noisiness: table.must("noisiness", Quantity::read)?,
+        sampling: table.must("sampling", Quantity::read)?,
+        inverse_cohesion: table.must("inverse_cohesion", Quantity::read)?,
+        wind_factor: table.must("wind_factor", Quantity::read)?,
+        brightness: table.must("brightness", Quantity::read)?,
+        color_noise: table.must("color_noise", Quantity::read)?,
+        color_noise_scale: table.must("color_noise_scale", Quantity::read)?,
+        inner_radius: table.must("inner_radius", Quantity::read)?,
+        inner_alpha: table.must("inner_alpha", Quantity::read)?,
+        ramp: table.must("ramp", |spot| list(spot, |_, spot| ramp_stop(spot)))?,
+        burning: Burning {
+            first_frame: table.must("first_frame", signed32)?,
+            kindling_frames: table.must("kindling_frames", whole32)?,
+            lifetime: table.may("lifetime", whole32)?,
+            growth_frames: table.must("growth_frames", whole32)?,
+        },
+    };
+    check::fire(&fire, &table)?;
+    Ok(fire)
+}
+
+fn roots(spot: &Spot<'_>, files: &Files) -> Result<Roots, SceneError> {
+    let (kind, table) = variant(spot)?;
+    let count = || table.must("count", whole32);
+    let extent = |key: &str| table.must(key, Quantity::read);
+    Ok(match kind {
+        "line" => Roots::Line {
+            length: extent("length")?,
+            count: count()?,
+        },
+        "circle" => Roots::Circle {
+            radius: extent("radius")?,
+            count: count()?,
+        },
+        "disc" => Roots::Disc {
+            radius: extent("radius")?,
+            count: count()?,
+        },
+        "mesh" => Roots::Mesh {
+            mesh: table.must("mesh", |spot| files.mesh(spot))?,
+            scale: extent("scale")?,
+            count: count()?,
+        },
+        _ => Roots::Listed,
+    })
+}
+
+fn flame(spot: &Spot<'_>) -> Result<ListedFlame, SceneError> {
+    let table = Reader::new(spot.path.clone(), FLAME, spot.node)?;
+    Ok(ListedFlame {
+        position: table.must("position", Quantity::read)?,
+        normal: table.must("normal", check::direction)?,
+        height: table.may("height", Quantity::read)?,
+        width: table.may("width", Quantity::read)?,
+        brightness: table.must("brightness", Quantity::read)?,
+        first_frame: table.may("first_frame", signed32)?,
+    })
+}
+
+fn ramp_stop(spot: &Spot<'_>) -> Result<RampStop, SceneError> {
+    let table = Reader::new(spot.path.clone(), RAMP, spot.node)?;
+    Ok(RampStop {
+        age: table.must("age", Quantity::read)?,
+        center: table.must("center", Quantity::read)?,
+        rim: table.must("rim", Quantity::read)?,
+        alpha: table.must("alpha", Quantity::read)?,
+        rim_alpha: table.must("rim_alpha", Quantity::read)?,
+    })
+}

@@ -1,0 +1,14 @@
+//! Flames (Perry 1994, 3.2): trajectories, looks, roots, and every adapter against the processor.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod fan;
+mod further;
+mod looks;
+mod roots;
+mod shipped;
+mod support;
+mod trajectories;
+mod twins;
+mod wind;

@@ -1,0 +1,133 @@
+//! Fires: roots, defaults, and what is at odds.
+
+use motes::scene::{Burning, Profile, Roots};
+
+use crate::text::{accepted, refused, with};
+
+const SCENE: &str = "[camera]\nposition = [0, 1, 5]\ntarget = [0, 0, 0]\n";
+
+fn fire(lines: &str) -> String {
+    format!("{SCENE}[[fire]]\nname = \"a\"\n{lines}\n")
+}
+
+const FLAME: &str = "[[fire.flame]]\nposition = [1, 2, 3]\n";
+
+#[test]
+fn a_fire_alone_is_a_scene_with_the_documented_defaults() {
+    let scene = accepted(&fire(FLAME));
+    assert_eq!((scene.systems.len(), scene.fires.len()), (0, 1));
+    let own = &scene.fires[0];
+    assert_eq!(own.roots, Roots::Listed);
+    assert_eq!((own.height.mean, own.height.var), (1.0, 0.0));
+    assert_eq!((own.width.mean, own.width.var), (0.25, 0.0));
+    let profile = Profile {
+        base_width: 0.67,
+        swell: 0.4,
+        base_height: 0.3,
+        height_growth: 0.032,
+    };
+    assert_eq!(own.profile, profile);
+    assert_eq!((own.start_speed, own.normalised), (1.0, true));
+    assert_eq!((own.buoyancy, own.gravity), (1.0, [0.0, -1.0, 0.0]));
+    let noise = (own.noisiness, own.sampling, own.inverse_cohesion);
+    assert_eq!(noise, (0.04, 0.05, 1.0));
+    assert_eq!((own.wind_factor, own.brightness), (1.0, 1.0));
+    assert_eq!((own.color_noise, own.color_noise_scale), (0.0, 4.0));
+    assert_eq!((own.inner_radius, own.inner_alpha), (0.5, 0.0));
+    let burning = Burning {
+        first_frame: 0,
+        kindling_frames: 0,
+        lifetime: None,
+        growth_frames: 0,
+    };
+    assert_eq!(own.burning, burning);
+    let flame = own.listed[0];
+    assert_eq!(
+        (flame.position, flame.normal),
+        ([1.0, 2.0, 3.0], [0.0, 1.0, 0.0])
+    );
+    assert_eq!(
+        (flame.height, flame.width, flame.first_frame),
+        (None, None, None)
+    );
+    // Light fades towards the tip.
+    let ends = own.ramp.first().zip(own.ramp.last()).expect("it has stops");
+    assert_eq!((ends.0.age, ends.1.age, ends.1.alpha), (0.0, 1.0, 0.0));
+    assert!(own.ramp.iter().all(|stop| stop.rim_alpha == 0.0));
+}
+
+#[test]
+fn every_kind_of_root_is_read_as_what_it_says() {
+    let read = |section: &str| {
+        accepted(&with(section, "count", "9")).fires[0]
+            .roots
+            .clone()
+    };
+    assert_eq!(
+        read("roots.line"),
+        Roots::Line {
+            length: 2.0,
+            count: 9
+        }
+    );
+    assert_eq!(
+        read("roots.circle"),
+        Roots::Circle {
+            radius: 1.0,
+            count: 9
+        }
+    );
+    assert_eq!(
+        read("roots.disc"),
+        Roots::Disc {
+            radius: 1.0,
+            count: 9
+        }
+    );
+    let Roots::Mesh { mesh, scale, count } = read("roots.mesh") else {
+        panic!("no mesh");
+    };
+    assert_eq!((mesh.name(), scale, count), ("sphere", 1.0, 9));
+}
+
+#[test]
+fn fires_that_are_at_odds_with_themselves_are_refused() {
+    let roots =
+        |count: u32| format!("roots = {{ kind = \"disc\", radius = 1, count = {count} }}\n");
+    let stop = |age: &str| {
+        format!("[[fire.ramp]]\nage = {age}\ncenter = [1, 1, 1]\nrim = [1, 1, 1]\nalpha = 1\n")
+    };
+    let many = format!(
+        "{}{}",
+        fire(&roots(60_000)),
+        &fire(&roots(60_000))[SCENE.len()..]
+    );
+    let cases = [
+        (fire(""), "`fire.a` has no flame"),
+        (
+            fire(&format!("ramp = []\n{FLAME}")),
+            "`fire.a.ramp` is empty",
+        ),
+        (
+            fire(&format!("{FLAME}{}{}", stop("0.5"), stop("0.5"))),
+            "`fire.a.ramp.1.age` is 0.5, not more than the one before",
+        ),
+        (
+            many.replacen("\"a\"", "\"b\"", 1),
+            "the fires have 120000 flames in all, too many",
+        ),
+        (
+            fire(FLAME) + "[[fire]]\nname = \"a\"\n" + FLAME,
+            "already that of another fire",
+        ),
+        (
+            fire("[[fire.flame]]\nnormal = [0, 1, 0]"),
+            "`fire.a.flame.0.position` is missing",
+        ),
+    ];
+    for (text, wanted) in cases {
+        let error = refused(&text);
+        assert!(error.message().contains(wanted), "wants {wanted}: {error}");
+        assert!(error.line().is_some(), "{error}");
+    }
+}

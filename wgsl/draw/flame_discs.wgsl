@@ -1,0 +1,132 @@
+// flame_discs: the particles along a flame as they are seen, and which pixels they touch.
+//
+// Perry 1994, 3.2.1 and 3.2.2: each of the 25 steps is a particle that faces the viewer, scaled in x
+// and y by its age. Its colour is that of its age, or of one that noise moves (4.2, after Perlin's
+// corona). One invocation a flame.
+// Reads: frame, fires, age_looks, flames, flame_steps, layer_planes. Writes: flame_discs,
+// flame_bounds (first column, and one past the last in the upper 16 bits; the same of lines; x and y of FireFrame.inner
+// as bits; columns and lines are 0 for none).
+// Invariant: what is not drawn has no light.
+
+#import motes::flame_disc::LEAST_HALF_AXIS_PX
+#import motes::dispatch::linear_index
+#import motes::exact::{
+    bits_of, clamp_exact, dot3, f32_of_u32, less, max_exact, reciprocal, to_i32, to_u32,
+}
+#import motes::layout::{AgeLook, FLAME_STEPS, FireFrame, Flame, FlameDisc, Frame}
+#import motes::noise::noise
+#import motes::projection::project
+#import motes::sprite::next_layer
+
+const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
+// Whether the picture has layers.
+const LAYERS: bool = #{LAYERS};
+// Half-axes in pixels, at most.
+const MOST_HALF_AXIS_PX: f32 = 16384.0f;
+
+struct Work {
+    flame_count: u32,
+}
+var<immediate> work: Work;
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+@group(0) @binding(1) var<storage, read> fires: array<FireFrame>;
+@group(0) @binding(2) var<storage, read> age_looks: array<AgeLook>;
+@group(0) @binding(3) var<storage, read> flames: array<Flame>;
+@group(0) @binding(4) var<storage, read> flame_steps: array<vec4<u32>>;
+@group(0) @binding(5) var<storage, read> layer_planes: array<vec4<f32>>;
+@group(0) @binding(6) var<storage, read_write> flame_discs: array<FlameDisc>;
+@group(0) @binding(7) var<storage, read_write> flame_bounds: array<vec4<u32>>;
+
+// The layer, from 1, that a world place is in.
+fn layer_of(world: vec3<f32>) -> u32 {
+    var layer = 0u;
+    for (var at = 0u; at < frame.layer_plane_count; at += 1u) {
+        let plane = layer_planes[at];
+        layer = next_layer(layer, at, dot3(plane.xyz, world) - plane.w);
+    }
+    return select(layer, frame.layer_plane_count + 1u, layer == 0u);
+}
+
+fn bits_of_four(v: vec4<f32>) -> vec4<u32> {
+    return vec4<u32>(bits_of(v.x), bits_of(v.y), bits_of(v.z), bits_of(v.w));
+}
+
+// A half-axis that is drawn, and how much fainter it is for that.
+fn half_axis(pixels: f32) -> vec2<f32> {
+    let drawn = max_exact(pixels, LEAST_HALF_AXIS_PX);
+    return vec2<f32>(drawn, pixels * reciprocal(drawn));
+}
+
+// The colours of a fire at an age between two: center and rim.
+struct Colors {
+    center: vec4<f32>,
+    rim: vec4<f32>,
+}
+
+// The colours of a particle at that age and place.
+fn colors_of(fire: FireFrame, slot: u32, age: u32, p: vec3<f32>) -> Colors {
+    let at = p * fire.look.z + fire.noise.xyz;
+    let moved = f32_of_u32(age) + noise(at, fire.kinds.z).w * fire.look.y;
+    let last = f32_of_u32(FLAME_STEPS - 1u);
+    let index = clamp_exact(moved, 0.0f, last);
+    let low = min(to_u32(index), FLAME_STEPS - 2u);
+    let part = index - f32_of_u32(low);
+    let here = age_looks[slot * FLAME_STEPS + low];
+    let next = age_looks[slot * FLAME_STEPS + low + 1u];
+    return Colors(
+        here.center + (next.center - here.center) * part,
+        here.rim + (next.rim - here.rim) * part,
+    );
+}
+
+@compute @workgroup_size(WORKGROUP_SIZE)
+fn flame_discs_of(@builtin(global_invocation_id) global_id: vec3<u32>) {
+    let at = linear_index(global_id, WORKGROUP_SIZE);
+    if at >= work.flame_count {
+        return;
+    }
+    let flame = flames[at];
+    let slot = flame.root_and_fire.w;
+    let fire = fires[slot];
+    let half_width = 0.5f * bitcast<f32>(flame.look.y);
+    let brightness = bitcast<f32>(flame.look.z);
+    let here = !LAYERS || frame.layer == 0u
+        || layer_of(bitcast<vec3<f32>>(flame.root_and_fire.xyz)) == frame.layer;
+    let burns = here && flame.look.w == 1u;
+    let size = vec2<i32>(i32(frame.width), i32(frame.height));
+    var low = size;
+    var high = vec2<i32>(0, 0);
+    for (var age = 0u; age < FLAME_STEPS; age += 1u) {
+        let look = age_looks[slot * FLAME_STEPS + age];
+        let step = flame_steps[at * FLAME_STEPS + age];
+        let place = bitcast<vec3<f32>>(step.xyz);
+        let seen = project(frame, place);
+        let colors = colors_of(fire, slot, age, place);
+        let across = half_axis(half_width * look.scale.x * seen.scale);
+        let along = half_axis(half_width * look.scale.y * seen.scale);
+        let is_near = less(MOST_HALF_AXIS_PX, across.x) || less(MOST_HALF_AXIS_PX, along.x);
+        let is_seen = burns && !is_near && !less(seen.depth, frame.near);
+        let opacity = select(0.0f, brightness * across.y * along.y, is_seen);
+        flame_discs[at * FLAME_STEPS + age] = FlameDisc(
+            vec4<u32>(
+                bits_of(seen.x), bits_of(seen.y), bits_of(reciprocal(across.x)), bits_of(reciprocal(along.x)),
+            ),
+            bits_of_four(vec4<f32>(colors.center.xyz, colors.center.w * opacity)),
+            bits_of_four(vec4<f32>(colors.rim.xyz, colors.rim.w * opacity)),
+        );
+        if is_seen {
+            let first = vec2<i32>(to_i32(seen.x - across.x), to_i32(seen.y - along.x));
+            let last = vec2<i32>(to_i32(seen.x + across.x) + 1, to_i32(seen.y + along.x) + 1);
+            low = min(low, first);
+            high = max(high, last);
+        }
+    }
+    low = max(low, vec2<i32>(0, 0));
+    high = min(high, size);
+    let is_some = low.x < high.x && low.y < high.y;
+    let bounds = vec2<u32>(low) | (vec2<u32>(high) << vec2<u32>(16u));
+    flame_bounds[at] = vec4<u32>(
+        select(vec2<u32>(0u), bounds, is_some), bits_of(fire.inner.x), bits_of(fire.inner.y),
+    );
+}

@@ -1,0 +1,79 @@
+// A flame's particle as it is seen: coplanar triangles around its centre, whose rim is a regular
+// polygon of 20 corners, scaled along x and y.
+//
+// Perry 1994, 3.2.1: Gouraud shading makes red, green, blue and alpha linear from the centre to the
+// rim in each triangle. The share of the centre is 1 less the distance from it, measured so that
+// every side of the polygon is at 1: no triangle has to be looked for. Light is colour times alpha,
+// for particles add up (3.2.2).
+// Reads and writes no buffers. Invariant: exact on every driver; twin of src/cpu/flame_disc.rs.
+#define_import_path motes::flame_disc
+
+#import motes::exact::{at_least_zero, less, max_exact}
+
+// Corners of the rim.
+const CORNERS: u32 = 20u;
+// Unit vectors to the middles of the sides at 9, 27 and 45 degrees, over the sides' distance
+// cos(9 degrees) from the centre of the circle through the corners.
+const SIDE_A_X: f32 = 1.0f;
+const SIDE_A_Y: f32 = 0.15838444f;
+const SIDE_B_X: f32 = 0.9021130f;
+const SIDE_B_Y: f32 = 0.45964956f;
+const SIDE_C: f32 = 0.7159210f;
+// No half-axis is drawn shorter, in pixels: what is smaller is so much fainter.
+const LEAST_HALF_AXIS_PX: f32 = 1.5f;
+
+// Light of four pixels side by side.
+struct Lit {
+    red: vec4<f32>,
+    green: vec4<f32>,
+    blue: vec4<f32>,
+}
+
+// The share of the centre in the colour at `x`, `y`, in half-axes from the centre; 0 outside.
+fn center_share(x: f32, y: f32) -> f32 {
+    // By symmetry, the sides of an eighth are enough.
+    let a = abs(x);
+    let b = abs(y);
+    let is_steep = less(a, b);
+    let major = select(a, b, is_steep);
+    let minor = select(b, a, is_steep);
+    let side_a = major * SIDE_A_X + minor * SIDE_A_Y;
+    let side_b = major * SIDE_B_X + minor * SIDE_B_Y;
+    let side_c = (major + minor) * SIDE_C;
+    return at_least_zero(1.0f - max_exact(side_a, max_exact(side_b, side_c)));
+}
+
+// The same at four places of one `y`.
+fn center_shares(x: vec4<f32>, y: f32) -> vec4<f32> {
+    return vec4<f32>(center_share(x.x, y), center_share(x.y, y), center_share(x.z, y), center_share(x.w, y));
+}
+
+// Which of the shares are of places inside.
+fn are_inside(share: vec4<f32>) -> vec4<bool> {
+    return vec4<bool>(less(0.0f, share.x), less(0.0f, share.y), less(0.0f, share.z), less(0.0f, share.w));
+}
+
+// The share that the centre of the inner layer has: the same distance, from another radius.
+fn inner_share(share: f32, inverse_radius: f32) -> f32 {
+    return at_least_zero(1.0f - (1.0f - share) * inverse_radius);
+}
+
+// The sum with the light of a particle of these colours and opacities, where its centre has those
+// shares; none outside. A second layer (4.1) has `inner.x` times the opacity of the centre, and a
+// radius of which `inner.y` is the inverse.
+fn with_disc(sum: Lit, center: vec4<f32>, rim: vec4<f32>, inner: vec2<f32>, share: vec4<f32>) -> Lit {
+    let inward = center - rim;
+    let inner_shares = vec4<f32>(
+        inner_share(share.x, inner.y),
+        inner_share(share.y, inner.y),
+        inner_share(share.z, inner.y),
+        inner_share(share.w, inner.y),
+    );
+    let both = rim.w + inward.w * share + (center.w * inner.x) * inner_shares;
+    let alpha = select(vec4<f32>(0.0f), both, are_inside(share));
+    return Lit(
+        sum.red + (rim.x + inward.x * share) * alpha,
+        sum.green + (rim.y + inward.y * share) * alpha,
+        sum.blue + (rim.z + inward.z * share) * alpha,
+    );
+}
