@@ -12,6 +12,9 @@ use crate::layout::{
 pub enum BufferRole {
     /// Uploaded by the processor each frame.
     Input,
+    /// Uploaded each frame for the scene's own systems, and written by a kernel for those that others
+    /// bear.
+    Shared,
     /// The same on every backend over its live records: compared bit for bit.
     State,
     /// A backend's own.
@@ -112,26 +115,26 @@ const fn buffer_of(
 /// Every buffer. `particles` and `survivors` are the two pools, in pages; they change places after
 /// each advance.
 pub static BUFFERS: &[Buffer] = {
-    use BufferRole::{Input, Scratch, State};
+    use BufferRole::{Input, Scratch, Shared, State};
     &[
         buffer_of("frame", Input, "Frame", size_of::<Frame>(), Count::Fixed(1)),
         buffer_of(
             "system_frames",
-            Input,
+            Shared,
             "SystemFrame",
             size_of::<SystemFrame>(),
             Count::Systems { each: 1, extra: 0 },
         ),
         buffer_of(
             "rows",
-            Input,
+            Shared,
             "SystemRow",
             size_of::<SystemRow>(),
             Count::Rows,
         ),
         buffer_of(
             "poses",
-            Input,
+            Shared,
             "Pose",
             size_of::<Pose>(),
             Count::TreeSlots { extra: 0 },

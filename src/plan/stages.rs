@@ -62,7 +62,7 @@ pub struct StageInfo {
 pub static STAGES: &[StageInfo] = &[
     StageInfo {
         stage: Stage::Tree,
-        name: "tree",
+        name: "pose",
         reads: &[
             "frame",
             "system_frames",

@@ -19,16 +19,12 @@ struct Rows {
     z: vec4<f32>,
 }
 
-const IDENTITY_X: vec4<f32> = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
-const IDENTITY_Y: vec4<f32> = vec4<f32>(0.0f, 1.0f, 0.0f, 0.0f);
-const IDENTITY_Z: vec4<f32> = vec4<f32>(0.0f, 0.0f, 1.0f, 0.0f);
-
 // The identity if `is_identity`, else these.
 fn rows_unless(is_identity: bool, rows: Rows) -> Rows {
     return Rows(
-        snap4(select(rows.x, IDENTITY_X, is_identity)),
-        snap4(select(rows.y, IDENTITY_Y, is_identity)),
-        snap4(select(rows.z, IDENTITY_Z, is_identity)),
+        snap4(select(rows.x, vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f), is_identity)),
+        snap4(select(rows.y, vec4<f32>(0.0f, 1.0f, 0.0f, 0.0f), is_identity)),
+        snap4(select(rows.z, vec4<f32>(0.0f, 0.0f, 1.0f, 0.0f), is_identity)),
     );
 }
 
