@@ -118,6 +118,7 @@ static EXPLAINED: &[Explanation] = &[
     ("*", "draw_row: 0.0f -> -1.0f", "a weight of 0 adds no light"),
     ("draw/splat", "splat: Bool(false) -> Bool(true)", "in a branch that the switch has closed"),
     ("draw/splat", "splat: sprite.2 -> member start", "of the test for one invocation or many: decides only who draws, the same light"),
+    ("draw/splat", "splat: ? = less() -> omitted", "small discs go to splat_large, row by row, which gives them the same light"),
     ("draw/splat", "draw: 0u -> * in 0u", "of the pixel, which is told before it is used"),
     ("draw/splat", "layer_of: (at < frame.layer_plane_count) -> LessEqual", "a plane that is not there is zeros, behind which nothing is"),
     ("draw/splat", "layer_of: frame.layer_plane_count -> member layer", "planes after that of the layer drawn do not decide what is in it"),
