@@ -96,6 +96,7 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             light_from,
             light_color,
             ambient_color,
+            planet_outline,
             focal_px,
             closing_focal_px,
             center_x_px,
@@ -185,7 +186,6 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
         rust_layout!(Planet {
             place,
             eye,
-            outline,
             color,
             ground,
             light_from,

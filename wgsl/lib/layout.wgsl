@@ -190,6 +190,8 @@ struct Frame {
     light_from: vec4<f32>,
     light_color: vec4<f32>,
     ambient_color: vec4<f32>,
+    // The plane of the planet's outline: unit normal towards the eye, distance along it.
+    planet_outline: vec4<f32>,
     // Pixels per unit of x/z, or of x if the view is orthographic: now, and when the shutter
     // closes. The principal point.
     focal_px: f32,
@@ -415,8 +417,6 @@ struct Planet {
     place: vec4<f32>,
     // The eye; squared distance of the centre less squared radius.
     eye: vec4<f32>,
-    // The plane of its outline: unit normal towards the eye, distance along it.
-    outline: vec4<f32>,
     // The part of the light that it reflects; slope of its relief.
     color: vec4<f32>,
     // Noise cells a world unit, contrast.
