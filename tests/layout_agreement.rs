@@ -286,7 +286,7 @@ fn constants_agree_bit_for_bit() {
         layout::flock::CONSTANTS,
         layout::flame::CONSTANTS,
         motes::cpu::flame::CONSTANTS,
-        motes::cpu::disc::CONSTANTS,
+        motes::cpu::fan::CONSTANTS,
         motes::cpu::draw::flame_discs::CONSTANTS,
         motes::cpu::boid::CONSTANTS,
         motes::cpu::steering::CONSTANTS,

@@ -6,9 +6,10 @@
 pub mod boid;
 pub mod cover;
 mod digest;
-pub mod disc;
+
 pub mod draw;
 pub mod emission;
+pub mod fan;
 pub mod flame;
 pub mod flames;
 pub mod flock;

@@ -6,7 +6,7 @@
 // Reads: frame, flame_discs, flame_bounds. Writes, by atomic adds: light_low, light_high.
 // Invariant: the image does not depend on the order of flames, nor on how they are shared out.
 
-#import motes::disc::{Lit, center_shares, with_disc}
+#import motes::fan::{Lit, center_shares, with_disc}
 #import motes::dispatch::linear_index
 #import motes::exact::{f32_of_u32, less}
 #import motes::layout::{FLAME_STEPS, FlameDisc, Frame}

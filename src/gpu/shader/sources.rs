@@ -43,7 +43,7 @@ pub static LIBRARIES: &[Source] = sources![
     "lib/footprint",
     "lib/sprite",
     "lib/flame",
-    "lib/disc",
+    "lib/fan",
     "lib/grid",
     "lib/boid",
     "lib/steering",
