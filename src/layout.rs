@@ -3,6 +3,8 @@
 
 pub mod flame;
 pub mod flock;
+pub mod planet;
+pub mod tree;
 
 use bytemuck::{Pod, Zeroable};
 
@@ -10,6 +12,8 @@ use crate::exact::shared_constants;
 
 pub use flame::*;
 pub use flock::*;
+pub use planet::*;
+pub use tree::*;
 
 /// Who a particle is and where it is: 32 bytes, in its system's space.
 #[repr(C)]
@@ -102,6 +106,8 @@ shared_constants! {
     pub const SHAPE_CURVE: u32 = 7;
     /// Born on the stored faces of a mesh.
     pub const SHAPE_MESH: u32 = 8;
+    /// Of systems: on a ring that runs over a sphere.
+    pub const SHAPE_RINGS: u32 = 9;
     /// [`SystemRow::kinds`]`[1]`: drawn as a disc.
     pub const PARTICLE_SPHERE: u32 = 0;
     /// Drawn as a square.
@@ -152,6 +158,8 @@ shared_constants! {
     pub const SYSTEM_PER_AREA: u32 = 2;
     /// Velocities are those halfway through a frame, so that particles are on parabolas.
     pub const SYSTEM_PARABOLIC: u32 = 4;
+    /// What it bears are systems, not particles.
+    pub const SYSTEM_BEARS_SYSTEMS: u32 = 8;
     /// [`Bound::kinds`]`[0]`: a plane.
     pub const BOUND_PLANE: u32 = 0;
     /// A sphere.
@@ -320,7 +328,7 @@ pub struct Frame {
     pub exposure: f32,
     /// Frame number: from 0, or modulo 2^32 where a scene begins before.
     pub frame: u32,
-    /// Systems in use.
+    /// Slots of systems: those of the scene, then those that others bear.
     pub system_count: u32,
     /// Rows kept for each system, less one; their number is a power of two.
     pub row_mask: u32,
@@ -346,8 +354,8 @@ pub struct Frame {
     pub least_lifetime: u32,
     /// Grid cells of all flocks.
     pub cell_count: u32,
-    /// Unused.
-    pub spare_a: u32,
+    /// Systems of the scene itself: slots from here on are of systems that others bear.
+    pub own_system_count: u32,
     /// Unused.
     pub spare_b: u32,
     /// Unused.
@@ -397,6 +405,14 @@ pub struct FrameStats {
     pub died_of_intensity: u32,
     /// Deaths out of bounds; the rest of `died` is of age.
     pub died_of_bounds: u32,
+    /// Systems that others were to bear.
+    pub systems_requested: u32,
+    /// Systems that they bore; for the rest there was no slot.
+    pub systems_born: u32,
+    /// Systems whose lifetime was over.
+    pub systems_died: u32,
+    /// Systems born by others that live.
+    pub systems_live: u32,
 }
 
 /// The arguments of one indirect dispatch.

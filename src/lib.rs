@@ -30,6 +30,8 @@
 //!
 //! # One frame, as the data sees it
 //!
+//! 0. *tree*, where systems bear systems: how many, in which slots, with which parameters, and where
+//!    each is. A borne system is a row of the tables that the stages below read, and nothing else.
 //! 1. *births*: how many particles each system bears, perhaps by its screen area; where its
 //!    newborns go.
 //! 2. *emit*: the newborns' places and velocities, behind the living.
@@ -45,11 +47,13 @@
 //! 7. *shapes*: what covers what is behind it, one record a particle or boid ([`layout::Cover`]).
 //! 8. *cover*: the records are sorted by depth, stably, and each pixel gathers those that cover it,
 //!    from near to far; by tiles, in rounds, so that no tile has too many.
-//! 9. *splat*: particles that glow add light to pixels, in 64-bit integers; all of them, or one
+//! 9. *planet*: a ball with a surface in every pixel, and on it what shows of the light of particles
+//!    behind its outline.
+//! 10. *splat*: particles that glow add light to pixels, in 64-bit integers; all of them, or one
 //!    layer's.
-//! 10. *flame_discs*: the particles along each flame as they are seen. *glow*: each pixel gathers
+//! 11. *flame_discs*: the particles along each flame as they are seen. *glow*: each pixel gathers
 //!    those of a flame and adds their sum to its light.
-//! 11. *resolve*: what covers, what shows of the background, and light on top of both become bytes.
+//! 12. *resolve*: what covers, what shows of the background, and light on top of both become bytes.
 //!
 //! Counts stay on the device; nothing comes back but a ring of statistics, and what is asked for.
 //!
@@ -60,6 +64,9 @@
 //! spread by the parameter row of its system at its birth. Nothing depends on where it is stored,
 //! so a run can be entered at any frame from one lifetime before, and two runs differ only in what
 //! was asked to be different.
+//!
+//! A borne system's key is a hash of its parent's key and of its own birth, so all systems of all
+//! frames before are borne again where a run is entered, without their particles.
 //!
 //! Its state is 32 bytes: position, velocity, index, system and birth frame. Colours, sizes and
 //! lifetimes are recomputed wherever they are needed; values with keys ([`scene::Track`]) reach a

@@ -7,7 +7,7 @@
 use std::fmt::Write;
 
 use crate::plan::{self, Turn};
-use crate::scene::{Loader, SceneError, Set, shortened};
+use crate::scene::{Draft, Loader, SceneError, Set, shortened};
 
 /// The last frame that a scene can have.
 const MOST_FRAME: u32 = 1_000_000;
@@ -103,7 +103,8 @@ impl Recording {
     fn parse_from(first_line: usize, text: &str, file: &str) -> Result<Self, RecordingError> {
         let mut changes: Vec<Change> = Vec::new();
         for (number, line) in (first_line..).zip(text.lines()) {
-            let line = line.trim();
+            // Some editors begin a text with a byte order mark.
+            let line = line.trim_start_matches('\u{feff}').trim();
             if line.is_empty() || line.starts_with('#') {
                 continue;
             }
@@ -160,16 +161,22 @@ impl Recording {
         sets: &[String],
     ) -> Result<Vec<Turn>, RefusedChange> {
         let sets: Vec<Set> = sets.iter().map(|set| Set::argument(set)).collect();
-        self.turns_of(("", "changes"), loader, scene, &sets)
+        let Some(first) = self.changes.first() else {
+            return Ok(Vec::new());
+        };
+        let mut draft = loader.draft(scene, &sets).map_err(|error| RefusedChange {
+            change: first.clone(),
+            message: error.to_string(),
+        })?;
+        self.turns_on(&mut draft, ("", "changes"))
     }
 
-    /// As [`Recording::turns_with`], of the text of a file, which errors point into.
-    pub(crate) fn turns_of(
+    /// As [`Recording::turns`], of changes to a scene that is loaded and right; `text` is that of the
+    /// file, which errors point into.
+    pub(crate) fn turns_on(
         &self,
+        draft: &mut Draft,
         (text, file): (&str, &str),
-        loader: Loader,
-        scene: &str,
-        sets: &[Set],
     ) -> Result<Vec<Turn>, RefusedChange> {
         let mut turns: Vec<Turn> = Vec::new();
         let Some(first) = self.changes.first() else {
@@ -196,9 +203,6 @@ impl Recording {
             )
         };
         let lines: Vec<&str> = text.lines().collect();
-        let mut draft = loader
-            .draft(scene, sets)
-            .map_err(|error| of_scene(first, error))?;
         let unchanged = draft.scene().map_err(|error| of_scene(first, error))?;
         for change in &self.changes {
             let written = format!("{} {}", change.frame, change.set);

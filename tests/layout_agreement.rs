@@ -8,8 +8,9 @@ use motes::gpu::shader::sources::{KERNELS, LIBRARIES, YARDSTICKS};
 use motes::gpu::shader::{self, Access, CompileOptions, CompiledKernel};
 use motes::gpu::{STAGE_KERNELS, check_binding};
 use motes::layout::{
-    self, AgeLook, Boid, Bound, Counts, Cover, Dispatch, FireFrame, Flame, FlameDisc, FlockFrame,
-    Frame, FrameStats, ListedFlame, Particle, Relation, SystemFrame, SystemRow, Wind,
+    self, AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, FireFrame, Flame, FlameDisc,
+    FlockFrame, Frame, FrameStats, Lamp, ListedFlame, Node, Particle, Planet, Pose, Relation,
+    SystemFrame, SystemRow, Wind,
 };
 use motes::plan::{BUFFERS, BufferRole, STAGES, Uses, buffer};
 
@@ -116,7 +117,7 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             layer,
             least_lifetime,
             cell_count,
-            spare_a,
+            own_system_count,
             spare_b,
             spare_c,
         }),
@@ -138,7 +139,11 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             live,
             dropped,
             died_of_intensity,
-            died_of_bounds
+            died_of_bounds,
+            systems_requested,
+            systems_born,
+            systems_died,
+            systems_live,
         }),
         rust_layout!(Cover {
             points,
@@ -146,6 +151,49 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             color,
             lit
         }),
+        rust_layout!(Pose {
+            now_x,
+            now_y,
+            now_z,
+            earlier_x,
+            earlier_y,
+            earlier_z,
+            closing_x,
+            closing_y,
+            closing_z,
+        }),
+        rust_layout!(Brood {
+            ties,
+            spans,
+            mean_parts,
+            var_parts,
+            burst,
+            spread,
+            bounding_sphere,
+            acceleration,
+            rings,
+        }),
+        rust_layout!(Node {
+            who,
+            spans,
+            velocity,
+            acceleration,
+            place_x,
+            place_y,
+            place_z,
+        }),
+        rust_layout!(Planet {
+            place,
+            eye,
+            outline,
+            color,
+            ground,
+            light_from,
+            light_color,
+            ambient,
+            kinds,
+        }),
+        rust_layout!(Lamp { place, color }),
         rust_layout!(Dispatch { x, y, z }),
         rust_layout!(Boid {
             position_and_flock,
@@ -275,6 +323,8 @@ fn constants_agree_bit_for_bit() {
         motes::cpu::light::CONSTANTS,
         motes::cpu::particle::CONSTANTS,
         motes::cpu::systems::births::CONSTANTS,
+        motes::cpu::reach::CONSTANTS,
+        motes::cpu::disc::CONSTANTS,
         motes::cpu::footprint::CONSTANTS,
         motes::cpu::wind::CONSTANTS,
         motes::area::CONSTANTS,
@@ -288,6 +338,8 @@ fn constants_agree_bit_for_bit() {
         motes::cpu::flame::CONSTANTS,
         motes::cpu::fan::CONSTANTS,
         motes::cpu::draw::flame_discs::CONSTANTS,
+        layout::tree::CONSTANTS,
+        motes::cpu::tree::CONSTANTS,
         motes::cpu::boid::CONSTANTS,
         motes::cpu::steering::CONSTANTS,
     ]
@@ -307,6 +359,7 @@ fn constants_agree_bit_for_bit() {
         ("BLUE_AT", 42),
         ("FIELD_LEN", 1 << 21),
         ("BLUE_LEN", 1 << (64 - 42)),
+        ("UNFIT", 1 << 3),
     ])
     .collect();
     let mut given = vec!["WORKGROUP_SIZE"];

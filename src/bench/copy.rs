@@ -5,14 +5,15 @@ use std::time::Instant;
 
 use rayon::prelude::*;
 
-use super::spread::{Clock, percentile};
+use super::spread::Clock;
 use super::target::Target;
 use crate::backend::BackendError;
 use crate::gpu::{GpuDevice, Yardstick, YardstickMemory};
 use crate::layout::Particle;
 
-/// Most records of a copy beside a run of more: larger than any cache already.
-pub(super) const MOST_BESIDE: u32 = 4_194_304;
+/// Most records that forms are tried on: 64 MiB read and written. In a cache other forms are the
+/// fastest than out of it.
+const TRIAL_RECORDS: u32 = 1 << 20;
 
 /// A way to copy: its name, its kernel, its invocations for so many records.
 pub(super) type Form = (&'static str, &'static str, fn(u32) -> u32);
@@ -49,7 +50,10 @@ pub(super) fn forms(device: &GpuDevice) -> impl Iterator<Item = &'static Form> {
 const WORKGROUPS: [u32; 3] = [64, 128, 256];
 
 /// Timed runs of each form before one is taken.
-const TRIALS: usize = 3;
+const TRIALS: usize = 5;
+
+/// Rounds over all forms and workgroup sizes before one is taken.
+const ROUNDS: usize = 7;
 
 /// A copy that can be run again and again.
 pub(super) struct Copy {
@@ -73,29 +77,57 @@ pub(super) struct CpuCopy {
     chunk: usize,
 }
 
-impl Copy {
-    /// The fastest of all forms for so many records.
-    pub(super) fn fastest(target: &Target, records: u32) -> Result<Self, BackendError> {
-        match target {
-            Target::Gpu(device) => {
+/// How a target copies fastest.
+pub(super) enum Fastest<'a> {
+    /// A device: in this form, with workgroups of this size.
+    Gpu(&'a GpuDevice, &'static Form, u32),
+    /// The processor: that depends on how many.
+    Cpu,
+}
+
+impl<'a> Fastest<'a> {
+    /// The fastest of all forms and workgroup sizes for so many records: each is tried in turn, and again,
+    /// so that a machine that changes its pace does so for all alike.
+    pub(super) fn of(target: &'a Target, records: u32) -> Result<Self, BackendError> {
+        let Target::Gpu(device) = target else {
+            return Ok(Self::Cpu);
+        };
+        let memory = YardstickMemory::new(device, records.min(TRIAL_RECORDS))?;
+        let mut tried = Vec::new();
+        for form in forms(device) {
+            for size in WORKGROUPS {
+                let mut copy = Yardstick::kernel(&memory, "copy_kernel", form.1, size, form.2)?;
+                // The first run compiles.
+                copy.run()?;
+                tried.push((f64::INFINITY, form, size, copy));
+            }
+        }
+        for _ in 0..ROUNDS {
+            for (least, _, _, copy) in &mut tried {
+                *least = copy.run()?.ms.min(*least);
+            }
+        }
+        let none = || BackendError::Internal("no form of the copy".into());
+        let best = tried.iter().min_by(|a, b| a.0.total_cmp(&b.0));
+        let (_, form, size, _) = best.ok_or_else(none)?;
+        Ok(Self::Gpu(device, form, *size))
+    }
+
+    /// A copy of so many records.
+    pub(super) fn copy(&self, records: u32) -> Result<Copy, BackendError> {
+        match self {
+            Self::Gpu(device, form, workgroup_size) => {
                 let memory = YardstickMemory::new(device, records)?;
-                let mut best: Option<(f64, String, Yardstick)> = None;
-                for form in forms(device) {
-                    let (ms, workgroup_size, yardstick) = of_form(&memory, form)?;
-                    if best.as_ref().is_none_or(|(least, ..)| ms < *least) {
-                        let named = format!("{}, workgroups of {workgroup_size}", form.0);
-                        best = Some((ms, named, yardstick));
-                    }
-                }
-                let none = || BackendError::Internal("no form of the copy".into());
-                let (_, form, yardstick) = best.ok_or_else(none)?;
-                Ok(Self {
-                    form,
+                let (name, kernel, invocations) = form;
+                let copy =
+                    Yardstick::kernel(&memory, "copy_kernel", kernel, *workgroup_size, invocations);
+                Ok(Copy {
+                    form: format!("{name}, workgroups of {workgroup_size}"),
                     records,
-                    work: Work::Gpu(Box::new((yardstick, memory))),
+                    work: Work::Gpu(Box::new((copy?, memory))),
                 })
             }
-            Target::Cpu => {
+            Self::Cpu => {
                 let mut copy = CpuCopy::new(records, records.max(1) as usize)?;
                 let mut best: Option<(f64, usize)> = None;
                 for chunk in [records.max(1) as usize, 8192, 65_536] {
@@ -107,12 +139,34 @@ impl Copy {
                     }
                 }
                 copy.chunk = best.map_or(copy.chunk, |(_, chunk)| chunk);
-                Ok(Self {
+                Ok(Copy {
                     form: copy.form(),
                     records,
                     work: Work::Cpu(copy),
                 })
             }
+        }
+    }
+}
+
+impl Copy {
+    /// So many of it in a run, pass after pass on a device; a run's time is that of one.
+    pub(super) fn repeated(self, passes: u32) -> Self {
+        let work = match self.work {
+            Work::Gpu(both) => {
+                let (copy, memory) = *both;
+                Work::Gpu(Box::new((copy.repeated(passes), memory)))
+            }
+            cpu => cpu,
+        };
+        Self { work, ..self }
+    }
+
+    /// What it copies from and to, on a device.
+    pub(super) fn memory(&self) -> Option<&YardstickMemory> {
+        match &self.work {
+            Work::Gpu(both) => Some(&both.1),
+            Work::Cpu(_) => None,
         }
     }
 
@@ -160,8 +214,8 @@ pub(super) fn of_form(
         for _ in 0..TRIALS {
             times.push(yardstick.run()?.ms);
         }
-        times.sort_by(f64::total_cmp);
-        let ms = percentile(&times, 0.5);
+        // The least: what else the machine does makes none faster.
+        let ms = times.into_iter().fold(f64::INFINITY, f64::min);
         if best.as_ref().is_none_or(|(least, ..)| ms < *least) {
             best = Some((ms, size, yardstick));
         }

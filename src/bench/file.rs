@@ -1,14 +1,15 @@
 //! Records as files: JSON, one record by itself or several in an array.
 
+use std::collections::HashSet;
 use std::fmt;
-use std::io;
+use std::io::{self, Read as _};
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use serde_json::Value;
 
 use super::readable::Readable;
-use super::record::{Measure, Record, Run, SCHEMA};
+use super::record::{Measure, Record, SCHEMA};
 use super::spread::Spread;
 use super::units::shortened;
 use crate::output::{OutputError, write_whole};
@@ -41,6 +42,9 @@ const MOST_LETTERS: usize = 400;
 /// No measurement takes longer, ms: thirty years.
 const MOST_MS: f64 = 1e12;
 
+/// Bytes of a file at most; a record has some ten thousand.
+const MOST_BYTES: u64 = 32 << 20;
+
 const HELP: &str = "give a file that `motes bench --json FILE` wrote";
 
 /// The records of a file: one, or an array of them.
@@ -49,15 +53,30 @@ const HELP: &str = "give a file that `motes bench --json FILE` wrote";
 /// The user's fault: no such file, not JSON, no record, one of another version, or numbers that no
 /// measurement gives. The machine's: the file cannot be read.
 pub fn read_records(path: &Path) -> Result<Vec<Record>, RecordError> {
-    let bytes = std::fs::read(path).map_err(|error| {
-        use io::ErrorKind::{IsADirectory, NotADirectory, NotFound};
-        RecordError {
-            path: path.to_owned(),
-            problem: format!("cannot read the record: {error}"),
-            help: HELP.to_owned(),
-            is_users_fault: matches!(error.kind(), NotFound | IsADirectory | NotADirectory),
-        }
+    use io::ErrorKind::{IsADirectory, NotADirectory, NotFound, PermissionDenied};
+    let read = std::fs::File::open(path).and_then(|file| {
+        let mut bytes = Vec::new();
+        // It may be a pipe, or grow: one byte more than allowed is enough to know.
+        file.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;
+        Ok(bytes)
+    });
+    let bytes = read.map_err(|error| RecordError {
+        path: path.to_owned(),
+        problem: format!("cannot read the record: {error}"),
+        help: match error.kind() {
+            PermissionDenied => "give a file that you may read".to_owned(),
+            _ => HELP.to_owned(),
+        },
+        is_users_fault: matches!(error.kind(), NotFound | IsADirectory | NotADirectory),
     })?;
+    if bytes.len() as u64 > MOST_BYTES {
+        return Err(RecordError {
+            path: path.to_owned(),
+            problem: format!("the record is larger than {} MiB", MOST_BYTES >> 20),
+            help: HELP.to_owned(),
+            is_users_fault: true,
+        });
+    }
     parse_records(&bytes).map_err(|(problem, help)| RecordError {
         path: path.to_owned(),
         problem,
@@ -73,6 +92,8 @@ pub fn read_records(path: &Path) -> Result<Vec<Record>, RecordError> {
 pub fn parse_records(json: &[u8]) -> Result<Vec<Record>, (String, String)> {
     // A strange file has strange names; they are not to reach a terminal as they are.
     let no_record = |problem: String| (printable(&problem), HELP.to_owned());
+    // Some editors begin a text with a byte order mark.
+    let json = json.strip_prefix(b"\xef\xbb\xbf").unwrap_or(json);
     if json.trim_ascii().is_empty() {
         return Err(no_record("the file is empty".to_owned()));
     }
@@ -133,10 +154,13 @@ fn printable(text: &str) -> String {
 fn check(record: &Record) -> Result<(), String> {
     check_texts(record)?;
     check_measures("micro", &record.micro)?;
-    for (at, run) in record.runs.iter().enumerate() {
+    if let Some(ms) = &record.dispatch_ms {
+        check_spread(ms).map_err(|fault| format!("`dispatch_ms` {fault}"))?;
+    }
+    let mut met = HashSet::new();
+    for run in &record.runs {
         let place = format!("{} at {} particles", run.scene, run.particles);
-        let same = |other: &Run| other.scene == run.scene && other.particles == run.particles;
-        if record.runs[..at].iter().any(same) {
+        if !met.insert((&run.scene, run.particles)) {
             return Err(format!("`{place}` stands twice in this record"));
         }
         for (name, ms) in [
@@ -145,6 +169,11 @@ fn check(record: &Record) -> Result<(), String> {
             ("draw_ms", &run.draw_ms),
         ] {
             check_spread(ms).map_err(|fault| format!("`{name}` of {place} {fault}"))?;
+        }
+        let beside = [("copy_ms", &run.copy_ms), ("dispatch_ms", &run.dispatch_ms)];
+        for (name, ms) in beside {
+            let fault = |fault| format!("`{name}` of {place} {fault}");
+            ms.as_ref().map_or(Ok(()), check_spread).map_err(fault)?;
         }
         check_measures(&place, &run.passes)?;
     }
@@ -187,11 +216,19 @@ fn check_texts(record: &Record) -> Result<(), String> {
 }
 
 fn check_measures(place: &str, measures: &[Measure]) -> Result<(), String> {
-    for (at, Measure { name, ms, .. }) in measures.iter().enumerate() {
-        if measures[..at].iter().any(|other| other.name == *name) {
+    let mut met = HashSet::new();
+    for measure in measures {
+        let Measure {
+            name, ms, floor_ms, ..
+        } = measure;
+        if !met.insert(name) {
             return Err(format!("`{name}` stands twice in {place}"));
         }
         check_spread(ms).map_err(|fault| format!("`{name}` of {place} {fault}"))?;
+        let is_time = |ms: f64| (0.0..=MOST_MS).contains(&ms);
+        if let Some(floor) = floor_ms.filter(|floor| !is_time(*floor)) {
+            return Err(format!("`{name}` of {place} has a floor of {floor} ms"));
+        }
     }
     Ok(())
 }
@@ -235,7 +272,7 @@ pub fn write_records(path: &Path, records: &[Record]) -> Result<(), OutputError>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bench::{Clock, Part};
+    use crate::bench::{Clock, Part, Run};
 
     fn record() -> Record {
         let pass = Measure {

@@ -28,6 +28,8 @@ pub(super) struct PassTime {
     pub(super) name: &'static str,
     pub(super) part: Part,
     pub(super) ms: f64,
+    /// Dispatches timed one by one.
+    pub(super) dispatches: u32,
 }
 
 /// What one frame took.
@@ -184,6 +186,12 @@ impl Lane {
         })
     }
 
+    /// Whether a pass of that name is a command of the interface, no kernel.
+    pub(super) fn is_command(&self, pass: &str) -> bool {
+        let is_kernel = || STAGE_KERNELS.iter().any(|of| of.kernel == pass);
+        matches!(self.backend, Bound::Gpu(_)) && !is_kernel()
+    }
+
     /// What a pass of that name works on.
     pub(super) fn traffic(&self, pass: &str, load: &Load) -> Option<Traffic> {
         match &self.backend {
@@ -210,6 +218,7 @@ fn by_stages(
             name: info.name,
             part: part_of(info.draws),
             ms: ms_since(begun),
+            dispatches: 1,
         })
     });
     let passes = passes.collect::<Result<_, BackendError>>()?;
@@ -231,8 +240,16 @@ fn by_timestamps(gpu: &mut GpuBackend, inputs: &FrameInputs) -> Result<FrameTime
         let part = part_of(submission > 0);
         for (name, ms) in kernels {
             match passes.iter_mut().find(|pass| pass.name == name) {
-                Some(pass) => pass.ms += ms,
-                None => passes.push(PassTime { name, part, ms }),
+                Some(pass) => {
+                    pass.ms += ms;
+                    pass.dispatches += 1;
+                }
+                None => passes.push(PassTime {
+                    name,
+                    part,
+                    ms,
+                    dispatches: 1,
+                }),
             }
         }
     }
@@ -255,6 +272,7 @@ fn by_kernels(
             name: of.kernel,
             part: part_of(of.stage.info().draws),
             ms: ms_since(begun),
+            dispatches: 1,
         })
     });
     let passes = passes.collect::<Result<_, BackendError>>()?;

@@ -1,28 +1,25 @@
 //! Kernels alone: the yardsticks that passes are held against, all in the same run, in turn.
-//!
-//! There is a place for the stable counting sort of cells in [`gpu`]: a kernel that binds
-//! `source`, `destination` and `table` is one line there.
 
 mod cpu;
 mod gpu;
 
+use std::time::Instant;
+
 use super::budget::Budget;
-use super::copy::Copy;
+use super::copy::{Copy, CpuCopy, Fastest};
 use super::error::BenchError;
 use super::lane::Lane;
-use super::record::{Measure, gb_per_s};
+use super::record::Measure;
 use super::run::{Progress, Watch};
 use super::splats::{SHAPES, SIZE_PX};
 use super::spread::{Clock, Spread};
 use super::target::Target;
+use super::yard::{Rates, Yard, YardTimes};
 use crate::backend::BackendError;
 use crate::plan::FrameInputs;
 
 /// The part of the time for a scene that one kernel may take.
 const PART_OF_TIME: f64 = 0.2;
-
-/// Beside scenes the copies are measured again: there is no need for more.
-const MOST_SECS_FOR_COPIES: f64 = 1.0;
 
 /// Runs a kernel once and tells its time.
 type Run = Box<dyn FnMut() -> Result<(f64, Clock), BackendError>>;
@@ -33,6 +30,8 @@ struct Entry {
     note: Option<String>,
     /// Whether it is a form of the copy, of which the fastest is `copy_kernel`.
     is_copy: bool,
+    /// Whether it is a command of the interface, no kernel.
+    by_interface: bool,
     /// Pixels covered, for those that draw.
     covered_px: Option<f64>,
     items: u64,
@@ -48,6 +47,7 @@ impl Entry {
             name: name.into(),
             note: None,
             is_copy: false,
+            by_interface: false,
             covered_px: None,
             items,
             bytes,
@@ -73,11 +73,23 @@ impl Entry {
 /// Measures kernels alone, over so many particles or records (1 ..= 10^9), on one target: the
 /// fastest copy, in all its forms; the interface's own copy; reads, writes, atomic additions; a
 /// sample of noise; the prefix sum; the splat of each shape; and what the device's own rasteriser
-/// needs for the same picture. The first is always `copy_kernel`, the second `copy_buffer`.
+/// needs for the same picture. The first is always `copy_kernel`, the second `copy_buffer`. Shares
+/// are of copies that fit in no cache, measured beside them.
 ///
 /// # Errors
 /// [`BenchError`]: the machine fails, or `watch` says stop.
 pub fn micro(
+    target: &Target,
+    particles: u32,
+    budget: &Budget,
+    watch: &mut Watch,
+) -> Result<Vec<Measure>, BenchError> {
+    micro_in(&mut Yard::new(target)?, target, particles, budget, watch)
+}
+
+/// The same, held against copies that are there already.
+pub(super) fn micro_in(
+    yard: &mut Yard,
     target: &Target,
     particles: u32,
     budget: &Budget,
@@ -89,7 +101,7 @@ pub fn micro(
     };
     let mut entries = match target {
         Target::Cpu => {
-            let copy = copy_entry(Copy::fastest(target, particles)?);
+            let copy = copy_entry(Fastest::of(target, particles)?.copy(particles)?);
             std::iter::once(copy)
                 .chain(cpu::entries(particles)?)
                 .collect()
@@ -102,10 +114,11 @@ pub fn micro(
     if let Target::Gpu(device) = target {
         entries.extend(gpu::rasters(device, particles)?);
     }
-    take(&mut entries, &budget, &mut |round| {
+    let mut times = YardTimes::default();
+    take(&mut entries, (yard, &mut times), &budget, &mut |round| {
         watch(&rounds(particles, round))
     })?;
-    Ok(told(entries))
+    Ok(told(entries, &times.rates()))
 }
 
 /// So many rounds of kernels have been run.
@@ -118,31 +131,15 @@ fn rounds(particles: u32, round: u32) -> Progress<'static> {
     }
 }
 
-/// Measures the two copies alone.
-pub(super) fn copies(
-    target: &Target,
-    records: u32,
-    budget: &Budget,
-    watch: &mut Watch,
-) -> Result<Vec<Measure>, BenchError> {
-    let budget = Budget {
-        secs: (budget.secs * PART_OF_TIME).min(MOST_SECS_FOR_COPIES),
-        ..*budget
-    };
-    let mut entries = vec![copy_entry(Copy::fastest(target, records)?)];
-    entries.push(match target {
-        Target::Cpu => cpu::copy_buffer(records)?,
-        Target::Gpu(device) => gpu::copy_buffer(device, records)?,
-    });
-    take(&mut entries, &budget, &mut |round| {
-        watch(&rounds(records, round))
-    })?;
-    Ok(told(entries))
+/// The processor's own copy of so many records, as an interface would do it.
+pub(super) fn copy_by_one_thread(records: u32) -> Result<CpuCopy, BackendError> {
+    CpuCopy::new(records, usize::MAX)
 }
 
 /// Runs all in turn, until each has been run often enough.
 fn take(
     entries: &mut [Entry],
+    (yard, times): (&mut Yard, &mut YardTimes),
     budget: &Budget,
     go_on: &mut dyn FnMut(u32) -> bool,
 ) -> Result<(), BenchError> {
@@ -150,6 +147,7 @@ fn take(
     for entry in &mut *entries {
         (entry.run)()?;
     }
+    let begun = Instant::now();
     for round in 0..budget.most() {
         if !go_on(round) {
             return Err(BenchError::Stopped);
@@ -162,14 +160,15 @@ fn take(
                 entry.clock = clock;
             }
         }
+        yard.measure_beside(times, begun.elapsed().as_secs_f64())?;
         if entries.iter().all(|entry| entry.is_done(budget)) {
             break;
         }
     }
-    Ok(())
+    yard.measure_enough(times).map_err(BenchError::from)
 }
 
-fn told(mut entries: Vec<Entry>) -> Vec<Measure> {
+fn told(mut entries: Vec<Entry>, rates: &Rates) -> Vec<Measure> {
     // Of several forms of the copy, the fastest is it.
     let median = |entry: &Entry| Spread::new(entry.samples.clone(), entry.clock).median;
     let forms = entries.iter_mut().filter(|entry| entry.is_copy);
@@ -185,13 +184,11 @@ fn told(mut entries: Vec<Entry>) -> Vec<Measure> {
         copy.clock = fastest.clock;
         entries.insert(0, copy);
     }
-    let copy_rate = entries
-        .first()
-        .and_then(|copy| gb_per_s(copy.bytes, median(copy)));
     let measure = |entry: Entry| {
         let Entry {
             name,
             note,
+            by_interface,
             covered_px,
             items,
             bytes,
@@ -199,7 +196,8 @@ fn told(mut entries: Vec<Entry>) -> Vec<Measure> {
             clock,
             ..
         } = entry;
-        let measure = Measure::new(name, samples, clock, items, bytes, copy_rate);
+        let measure = Measure::new(name, samples, clock, items, bytes, None)
+            .held_against(rates.floor_ms(bytes, by_interface));
         let per_pixel = covered_px.map(|covered| {
             let ns = measure.ms.median * 1e6 / covered;
             format!("{ns:.2} ns a covered pixel")

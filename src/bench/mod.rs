@@ -3,13 +3,17 @@
 //! | file | holds |
 //! |---|---|
 //! | `session.rs` | all that one call measures, [`measure`] |
-//! | `run.rs` | a scene at one count on several targets, [`run()`]; `lane.rs` is one of them |
+//! | `job.rs` | a scene at one count: what is to be measured, [`Job`] |
+//! | `run.rs` | that on several targets, frame by frame in turn, [`run()`]; `lane.rs` is one of them |
+//! | `steady.rs` | from which frame on |
+//! | `told.rs` | what is told of a run |
 //! | `micro.rs` | kernels alone, [`micro()`]; `splats.rs` has what the splat is given |
-//! | `copy.rs` | the copy that all else is held against |
+//! | `yard.rs` | the copies that all else is held against; `copy.rs` is one of them |
 //! | `budget.rs` | when to stop: [`Budget`] |
 //! | `record.rs` | the record: what `motes bench --json` writes, [`Record`] |
-//! | `spread.rs` | one quantity, measured many times: [`Spread`] |
+//! | `spread.rs` | one quantity, measured many times: [`Spread`]; `groups.rs` sees a change of pace in it |
 //! | `file.rs` | records as files, [`read_records`] and [`write_records`] |
+//! | `merge.rs` | a sweep that was cut in pieces, as one record: [`merged()`] |
 //! | `readable.rs` | how their JSON is laid out |
 //! | `schema.json` | their JSON Schema, [`record_schema()`] |
 //! | `table.rs` | a record as text for a terminal: [`table`] |
@@ -24,6 +28,7 @@
 mod compare;
 mod csv;
 mod file;
+mod groups;
 mod html;
 mod readable;
 mod record;
@@ -33,30 +38,37 @@ mod table;
 mod units;
 
 pub use compare::{
-    Change, CompareError, Compared, Comparison, Kind, LEAST_MS, LEAST_SHARE, LEVEL, Verdict,
-    compare, comparisons_json,
+    BETWEEN_RUNS, Change, CompareError, Compared, Comparison, Kind, LEAST_MS, LEAST_SHARE, LEVEL,
+    Verdict, compare, comparisons_json,
 };
 pub use csv::csv;
 
 mod budget;
 mod copy;
 mod error;
+mod job;
 mod lane;
 mod machine;
+mod merge;
 mod micro;
 mod process;
 mod run;
 mod session;
 mod splats;
+mod steady;
 mod target;
+mod told;
+mod yard;
 
 pub use budget::Budget;
 pub use error::BenchError;
 pub use file::{RecordError, parse_records, read_records, records_json, write_records};
 pub use html::html;
+pub use job::Job;
+pub use merge::merged;
 pub use micro::micro;
 pub use record::{Measure, Part, Record, Run, SCHEMA};
-pub use run::{Job, Progress, Watch, run};
+pub use run::{Progress, Watch, run};
 pub use session::{Request, measure};
 pub use spread::{Clock, OUTLIER_RULE, Outliers, Spread, percentile};
 pub use table::{COLUMNS, heading, micro_table, run_table, table};

@@ -49,10 +49,14 @@ pub struct Record {
     /// How kernels were run, e.g. `workgroup_size` = `256`.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub options: BTreeMap<String, String>,
-    /// Rate of the fastest copy by a kernel, 10^9 bytes a second, read and written bytes together.
+    /// Rate of the fastest copy by a kernel of what fits in no cache, 10^9 bytes a second, read and
+    /// written bytes together.
     pub copy_kernel_gb_per_s: Option<f64>,
     /// Rate of the interface's own copy, 10^9 bytes a second, read and written bytes together.
     pub copy_buffer_gb_per_s: Option<f64>,
+    /// What a dispatch costs that does nothing, as a pass of its own; `None` for the processor.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dispatch_ms: Option<Spread>,
     /// Kernels alone.
     #[serde(default)]
     pub micro: Vec<Measure>,
@@ -102,10 +106,25 @@ pub struct Run {
     /// Memory that the backend allocated on the device, bytes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gpu_memory_bytes: Option<u64>,
-    /// Rate of the fastest copy by a kernel of as many records, measured beside the frames; shares
-    /// of the passes are of this.
+    /// Rate of the fastest copy by a kernel, measured beside the frames, of what fits in no cache;
+    /// shares of passes that move as much are of this.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub copy_kernel_gb_per_s: Option<f64>,
+    /// The same of 8 MiB, the price of the dispatch not counted, if that is faster: shares of passes
+    /// that move no more are of this, of those between, of what lies between.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub copy_in_cache_gb_per_s: Option<f64>,
+    /// Rate of the interface's own copy, measured beside the frames; shares of commands of the
+    /// interface are of this.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub copy_buffer_gb_per_s: Option<f64>,
+    /// The copies behind `copy_kernel_gb_per_s`, 256 MiB each, in the order taken: they show what the
+    /// machine did meanwhile, whatever the build.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub copy_ms: Option<Spread>,
+    /// What a dispatch costs that does nothing, measured beside the frames.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dispatch_ms: Option<Spread>,
     /// What each pass took, in the order of the frame.
     pub passes: Vec<Measure>,
     /// What a reader should know before believing the numbers.
@@ -142,8 +161,16 @@ pub struct Measure {
     pub bytes: u64,
     /// Rate of those bytes at the median time, 10^9 bytes a second.
     pub gb_per_s: Option<f64>,
-    /// That rate over the record's `copy_kernel_gb_per_s`, or the run's own where it was measured again.
+    /// Milliseconds that the adapter's own copy of as many bytes takes, the price of its dispatch not
+    /// counted: the pass cannot be faster.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub floor_ms: Option<f64>,
+    /// `floor_ms` over the median time.
     pub share_of_copy: Option<f64>,
+    /// Dispatches of a frame, or copies, that were timed one by one and are told together; 1 where
+    /// nothing is said.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dispatches: Option<u32>,
 }
 
 impl Measure {
@@ -159,15 +186,26 @@ impl Measure {
     ) -> Self {
         let ms = Spread::new(samples_ms, clock);
         let gb_per_s = gb_per_s(bytes, ms.median);
-        let share = |rate: f64| Some(rate / copy_gb_per_s.filter(|copy| *copy > 0.0)?);
-        Self {
+        let measure = Self {
             name: name.into(),
             ms,
             items,
             bytes,
             gb_per_s,
-            share_of_copy: gb_per_s.and_then(share),
             ..Self::default()
+        };
+        let copy = copy_gb_per_s.filter(|copy| *copy > 0.0 && bytes > 0);
+        measure.held_against(copy.map(|copy| bytes as f64 / (copy * 1e6)))
+    }
+
+    /// The same, held against a copy of as many bytes that takes so long, milliseconds.
+    #[must_use]
+    pub fn held_against(self, floor_ms: Option<f64>) -> Self {
+        let ms = self.ms.median;
+        Self {
+            floor_ms,
+            share_of_copy: floor_ms.filter(|_| ms > 0.0).map(|floor| floor / ms),
+            ..self
         }
     }
 
@@ -184,12 +222,38 @@ pub(super) fn gb_per_s(bytes: u64, ms: f64) -> Option<f64> {
 }
 
 impl Run {
-    /// Milliseconds that the passes' bytes need at the rate of a copy: what a frame cannot be shorter than.
-    /// `None` where either is unknown.
+    /// Milliseconds that the adapter's own copies of the passes' bytes take: what a frame cannot be
+    /// shorter than. `None` where that is unknown.
     pub fn floor_ms(&self, record: &Record) -> Option<f64> {
+        let floors = || self.passes.iter().filter_map(|pass| pass.floor_ms);
+        if floors().next().is_some() {
+            return Some(floors().sum());
+        }
         let bytes: u64 = self.passes.iter().map(|pass| pass.bytes).sum();
         let copy = self.copy_kernel_gb_per_s.or(record.copy_kernel_gb_per_s);
         let copy = copy.filter(|copy| *copy > 0.0)?;
         (bytes > 0).then(|| bytes as f64 / (copy * 1e6))
+    }
+
+    /// Milliseconds that the frame's dispatches cost if they did nothing, and how many those are. `None`
+    /// where nobody measured it.
+    pub fn dispatches_ms(&self) -> Option<(f64, u32)> {
+        let price = self.dispatch_ms.as_ref()?.median;
+        let dispatches = self.passes.iter().map(|pass| pass.dispatches.unwrap_or(1));
+        let dispatches = dispatches.sum();
+        Some((price * f64::from(dispatches), dispatches))
+    }
+
+    /// Live particles a second; `None` where the frame took no time.
+    pub fn particles_per_s(&self) -> Option<f64> {
+        let ms = self.frame_ms.median;
+        let live = self.live.unwrap_or(self.particles) as f64;
+        (ms > 0.0).then(|| live / (ms * 1e-3))
+    }
+
+    /// Its share of the frame, medians of both; `None` where the frame took no time.
+    pub fn share_of_frame(&self, ms: &Spread) -> Option<f64> {
+        let frame = self.frame_ms.median;
+        (frame > 0.0).then(|| ms.median / frame)
     }
 }

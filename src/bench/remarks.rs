@@ -1,5 +1,6 @@
 //! What a reader should know before believing a record: what the measurer noted, and what the samples show.
 
+use super::groups::{Groups, groups};
 use super::record::{Measure, Record, Run};
 use super::spread::{OUTLIER_RULE, Spread};
 use super::units::percent;
@@ -28,7 +29,13 @@ pub(super) fn of_run(run: &Run) -> Vec<String> {
             "{samples} samples are few, and percentiles rough: take more frames"
         ));
     }
-    if frame.noise() > MUCH_NOISE {
+    if let Some(Groups { ratio, slow }) = groups(&frame.samples) {
+        remarks.push(format!(
+            "the frames fall into two groups, {ratio:.2} times apart, {} of them in the slower: the machine changed \
+             its pace, and the median is of one group or the other",
+            percent(slow)
+        ));
+    } else if frame.noise() > MUCH_NOISE {
         remarks.push(format!(
             "p10 and p90 of the frame are {} of its median apart: the machine is busy, or frames differ",
             percent(frame.noise())
@@ -37,7 +44,10 @@ pub(super) fn of_run(run: &Run) -> Vec<String> {
     if samples >= FEW_SAMPLES && is_slow_at_first(frame) {
         remarks.push("the first frame is the slowest by far: warm up longer".to_owned());
     }
-    remarks.extend(disturbed(&run.passes));
+    // Outliers of a machine that changes its pace say nothing more.
+    if groups(&frame.samples).is_none() {
+        remarks.extend(disturbed(&run.passes));
+    }
     remarks
 }
 

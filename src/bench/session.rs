@@ -1,13 +1,15 @@
 //! One call of `motes bench`: everything that was asked for, on every target.
 
 use super::budget::Budget;
-use super::copy::MOST_BESIDE;
 use super::error::BenchError;
+use super::job::Job;
 use super::machine::record_of;
-use super::micro::{copies, micro};
+use super::micro::micro_in;
 use super::record::{Measure, Record};
-use super::run::{Job, Watch, run};
+use super::run::{Watch, run_in};
+use super::spread::Spread;
 use super::target::Target;
+use super::yard::{FAR, NEAR, Yard, YardTimes};
 use crate::plan::Plan;
 use crate::scene::Scene;
 
@@ -66,23 +68,19 @@ pub fn measure(
     request.check().map_err(|(_, error)| error)?;
     let mut records: Vec<Record> = targets.iter().map(record_of).collect();
     let budget = &request.budget;
+    let mut yards = Vec::new();
     for (target, record) in targets.iter().zip(&mut records) {
-        record.micro = if request.micro {
-            alone(target, request, watch)?
-        } else {
-            copies(target, MICRO_RECORDS, budget, watch)?
+        let mut yard = Yard::new(target)?;
+        let copied = copies(&mut yard, record)?;
+        record.micro = match request.micro {
+            true => alone(&mut yard, target, request, watch)?,
+            false => copied,
         };
-        let rate = |name: &str| {
-            let mut measures = record.micro.iter();
-            let found = measures.find(|measure| base(&measure.name) == name);
-            found.and_then(|measure| measure.gb_per_s)
-        };
-        let rates = (rate("copy_kernel"), rate("copy_buffer"));
-        (record.copy_kernel_gb_per_s, record.copy_buffer_gb_per_s) = rates;
+        yards.push(yard);
     }
     for scene in &request.scenes {
         for job in request.jobs(scene) {
-            let runs = run(targets, &job, budget, watch)?;
+            let runs = run_in(&mut yards, targets, &job, budget, watch)?;
             for (record, run) in records.iter_mut().zip(runs) {
                 record.runs.push(run);
             }
@@ -101,8 +99,40 @@ pub fn measure(
     Ok(records)
 }
 
+/// The copies that all is held against, and what a dispatch costs, before anything else is run.
+fn copies(yard: &mut Yard, record: &mut Record) -> Result<Vec<Measure>, BenchError> {
+    let mut times = YardTimes::default();
+    yard.measure_enough(&mut times)?;
+    let rates = times.rates();
+    record.copy_kernel_gb_per_s = rates.kernel;
+    record.copy_buffer_gb_per_s = rates.buffer;
+    record.dispatch_ms.clone_from(&rates.dispatch_ms);
+    let copy = |name: &str, records: u32, ms: Spread, by_interface| {
+        let bytes = u64::from(records) * 64;
+        let measure = Measure::new(name, ms.samples, ms.clock, records.into(), bytes, None);
+        measure.held_against(rates.floor_ms(bytes, by_interface))
+    };
+    let mut measures = vec![
+        Measure {
+            note: Some(yard.form().to_owned()),
+            ..copy("copy_kernel", FAR, rates.copy_ms.clone(), false)
+        },
+        copy("copy_buffer", FAR, rates.buffer_ms.clone(), true),
+        copy("copy_in_cache", NEAR, rates.near_ms.clone(), false),
+    ];
+    if let Some(ms) = &rates.dispatch_ms {
+        let measure = Measure::new("dispatch", ms.samples.clone(), ms.clock, 1, 0, None);
+        measures.push(Measure {
+            note: Some("one that does nothing".into()),
+            ..measure
+        });
+    }
+    Ok(measures)
+}
+
 /// Kernels alone at every count; those of several carry it behind their names.
 fn alone(
+    yard: &mut Yard,
     target: &Target,
     request: &Request,
     watch: &mut Watch,
@@ -111,12 +141,10 @@ fn alone(
     if counts.is_empty() {
         counts.push(MICRO_RECORDS);
     }
-    // The largest that is no larger than what copies are measured beside comes first, for its
-    // copies are the record's.
-    counts.sort_unstable_by_key(|count| (*count > MOST_BESIDE, u32::MAX - *count));
+    counts.sort_unstable();
     let mut all = Vec::new();
     for count in &counts {
-        let mut measures = micro(target, *count, &request.budget, watch)?;
+        let mut measures = micro_in(yard, target, *count, &request.budget, watch)?;
         if counts.len() > 1 {
             for measure in &mut measures {
                 measure.name = format!("{}@{count}", measure.name);
@@ -125,9 +153,4 @@ fn alone(
         all.extend(measures);
     }
     Ok(all)
-}
-
-/// A kernel's name without its count.
-fn base(name: &str) -> &str {
-    name.split('@').next().unwrap_or(name)
 }

@@ -52,11 +52,15 @@ impl Shape {
     /// Pixels that one covers on average, wholly or in part: those whose centres are within half a
     /// pixel of it. Its edge of one pixel's width keeps its area, and it is at least a pixel wide.
     pub(super) fn covered_px(&self) -> f64 {
-        let radius = f64::from(self.radius_px);
-        let edge = (radius * radius - 1.0 / 12.0).max(0.25).sqrt();
-        let reach = edge + 0.5;
+        let reach = self.edged_radius_px() + 0.5;
         let length = f64::from(self.length_px);
         std::f64::consts::PI * reach * reach + 2.0 * reach * length
+    }
+
+    /// The radius whose edge of a pixel's width keeps the area.
+    pub(super) fn edged_radius_px(&self) -> f64 {
+        let radius = f64::from(self.radius_px);
+        (radius * radius - 1.0 / 12.0).max(0.25).sqrt()
     }
 
     /// In words.

@@ -40,7 +40,7 @@ pub fn heading(record: &Record) -> String {
     let motes = match (record.motes.as_str(), &record.commit) {
         ("", _) => String::new(),
         (motes, Some(commit)) => format!("motes {motes} ({commit:.12})"),
-        (motes, None) => format!("motes {motes}"),
+        (motes, None) => format!("motes {motes} (commit unknown)"),
     };
     let options = record
         .options
@@ -61,8 +61,11 @@ pub fn heading(record: &Record) -> String {
             text.push('\n');
         }
     }
+    let dispatch = record.dispatch_ms.as_ref().map_or(String::new(), |ms| {
+        format!("; an idle dispatch {} ms", digits(ms.median))
+    });
     text += &format!(
-        "copy by a kernel {}, by the interface {}\n",
+        "copy by a kernel {}, by the interface {}{dispatch}\n",
         rate(record.copy_kernel_gb_per_s),
         rate(record.copy_buffer_gb_per_s)
     );
@@ -125,6 +128,13 @@ pub fn run_table(record: &Record, run: &Run) -> String {
         );
         text += &(shortened(&line, COLUMNS) + "\n");
     }
+    if let Some((ms, dispatches)) = run.dispatches_ms() {
+        text += &format!(
+            "{:<NAME$} {:>8}  for {dispatches} that do nothing\n",
+            "dispatches",
+            digits(ms)
+        );
+    }
     text += &facts(run);
     text + &warnings(&remarks::of_run(run))
 }
@@ -145,13 +155,11 @@ pub(super) fn title(run: &Run) -> String {
 /// Rates and memory of a run.
 fn facts(run: &Run) -> String {
     let mut facts = Vec::new();
-    let live = run.live.unwrap_or(run.particles);
-    if run.frame_ms.median > 0.0 {
-        let rate = live as f64 / (run.frame_ms.median * 1e-3);
+    if let Some(rate) = run.particles_per_s() {
         facts.push(format!("{} particles/s", prefixed(rate)));
     }
     if run.live.is_some_and(|live| live != run.particles) {
-        facts.push(format!("{} live", grouped(live)));
+        facts.push(format!("{} live", grouped(run.live.unwrap_or(0))));
     }
     if run.dropped > 0 {
         facts.push(format!("{} births dropped", grouped(run.dropped)));

@@ -114,6 +114,41 @@ const FRAME_STATS: Fields = &[
     ("dropped", false),
     ("died_of_intensity", false),
     ("died_of_bounds", false),
+    ("systems_requested", false),
+    ("systems_born", false),
+    ("systems_died", false),
+    ("systems_live", false),
+];
+
+const NODE: Fields = &[
+    ("key", false),
+    ("birth_frame", false),
+    ("like_slot", false),
+    ("parent_slot", false),
+    ("state", false),
+    ("lifetime", false),
+    ("free_from", false),
+    ("index", false),
+    ("velocity.x", true),
+    ("velocity.y", true),
+    ("velocity.z", true),
+    ("velocity.w", true),
+    ("acceleration.x", true),
+    ("acceleration.y", true),
+    ("acceleration.z", true),
+    ("acceleration.w", true),
+    ("place_x.x", true),
+    ("place_x.y", true),
+    ("place_x.z", true),
+    ("place_x.w", true),
+    ("place_y.x", true),
+    ("place_y.y", true),
+    ("place_y.z", true),
+    ("place_y.w", true),
+    ("place_z.x", true),
+    ("place_z.y", true),
+    ("place_z.z", true),
+    ("place_z.w", true),
 ];
 
 const COVER: Fields = &[
@@ -137,6 +172,13 @@ const COVER: Fields = &[
 
 const RED_GREEN: Fields = &[("red", true), ("green", true)];
 
+const PLANET_PIXEL: Fields = &[
+    ("red", true),
+    ("green", true),
+    ("blue", true),
+    ("clear", true),
+];
+
 const BLUE_CLEAR: Fields = &[("blue", true), ("clear", true)];
 
 const CHANNELS: Fields = &[("red", false), ("green", false), ("blue", false)];
@@ -150,6 +192,7 @@ fn fields(name: &str) -> Fields {
     };
     match (declared.record, declared.count) {
         ("Cover", _) => COVER,
+        _ if name == "planet_pixels" => PLANET_PIXEL,
         _ if name == "cover_rg" => RED_GREEN,
         _ if name == "cover_bt" => BLUE_CLEAR,
         ("Flame", _) => FLAME,
@@ -157,6 +200,7 @@ fn fields(name: &str) -> Fields {
         _ if name == "flame_steps" => FLAME_STEP,
         _ if name == "flame_bounds" => FLAME_BOUNDS,
         ("Particle", _) => PARTICLE,
+        ("Node", _) => NODE,
         ("Boid", _) => BOID,
         ("Counts", _) => COUNTS,
         ("FrameStats", _) => FRAME_STATS,
@@ -177,7 +221,10 @@ pub(super) fn element(
     let record = word / fields.len();
     let (field, is_float) = fields[word % fields.len()];
     let is_picture = buffer(name).is_some_and(|declared| {
-        matches!(declared.count, Count::Pixels(_) | Count::CoveredPixels(_))
+        matches!(
+            declared.count,
+            Count::Pixels(_) | Count::CoveredPixels(_) | Count::PlanetPixels
+        )
     });
     let across = plan.width.max(1) as usize;
     let pixel = is_picture.then_some(((record % across) as u32, (record / across) as u32));

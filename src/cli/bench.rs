@@ -1,16 +1,18 @@
 //! `motes bench`: what each pass of a frame costs, as a share of what the adapter's memory can do.
 
 use std::io::IsTerminal as _;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::collisions::{self, Input, Output};
 use super::interrupt::Interrupt;
+use super::names::SceneName;
 use super::{CliError, note, print};
-use crate::bench::{self, BenchError, Budget, Progress, Request, Target};
+use crate::bench::{self, BenchError, Budget, Progress, Record, Request, Target};
 use crate::output::write_whole;
-use crate::scene::{self, Scene};
+use crate::scene::{Loader, Scene};
 use crate::simulation::AdapterChoice;
 
 /// What is measured where nobody says what.
@@ -23,12 +25,13 @@ const TOLD_EVERY: Duration = Duration::from_millis(100);
 #[derive(Debug, clap::Args)]
 pub(super) struct BenchArgs {
     /// TOML files, or names of built-in scenes [default: million; none with --micro]
-    #[arg(value_name = "SCENE")]
+    #[arg(value_name = "SCENE", value_parser = SceneName, hide_possible_values = true)]
     scenes: Vec<String>,
     /// Measure kernels alone: copies, reads, atomics, noise, scan, splats, the rasteriser
     #[arg(long)]
     micro: bool,
-    /// How many particles live, e.g. 1e5,1e6: scenes with `steady_particles` are scaled to them
+    /// How many particles live, e.g. 1e5,1e6: scenes with `steady_particles` are scaled to them, and
+    /// scenes of flocks alone to as many boids
     #[arg(long, value_name = "N,N,…", value_delimiter = ',', value_parser = parse_particles, allow_hyphen_values = true)]
     particles: Vec<u32>,
     /// Frames to measure [default: until the noise is low enough]
@@ -48,6 +51,9 @@ pub(super) struct BenchArgs {
         default_value = "auto"
     )]
     adapter: String,
+    /// Let scenes read files outside of their folders
+    #[arg(long)]
+    allow_outside: bool,
     /// Write the record as JSON; an array of them for several adapters
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -89,7 +95,6 @@ fn parse_seconds(text: &str) -> Result<f64, String> {
 }
 
 pub(super) fn run(args: &BenchArgs) -> Result<u8, CliError> {
-    places(args)?;
     let request = request(args)?;
     let targets = targets(&args.adapter)?;
     let interrupt = Interrupt::listen()?;
@@ -113,41 +118,63 @@ pub(super) fn run(args: &BenchArgs) -> Result<u8, CliError> {
     let texts: Vec<String> = records.iter().map(bench::table).collect();
     if let Some(path) = &args.json {
         bench::write_records(path, &records)?;
+        wrote(path, &many(records.len(), "record"));
     }
-    if let Some(path) = &args.csv {
-        write_whole(path, bench::csv(&records).as_bytes())?;
-    }
-    if let Some(path) = &args.html {
-        write_whole(path, bench::html(&records).as_bytes())?;
-    }
+    let files = match &args.json {
+        Some(path) => vec![path.display().to_string(); records.len()],
+        None => Vec::new(),
+    };
+    reports(&records, &files, args.html.as_deref(), args.csv.as_deref())?;
     print(&texts.join("\n"))?;
     Ok(0)
 }
 
+/// Writes the reports that were asked for, and says so. `files` are those that the records are from.
+pub(super) fn reports(
+    records: &[Record],
+    files: &[String],
+    html: Option<&Path>,
+    csv: Option<&Path>,
+) -> Result<(), CliError> {
+    if let Some(path) = html {
+        write_whole(path, bench::html(records, files).as_bytes())?;
+        wrote(
+            path,
+            &format!("a page of {}", many(records.len(), "record")),
+        );
+    }
+    if let Some(path) = csv {
+        let text = bench::csv(records);
+        write_whole(path, text.as_bytes())?;
+        let lines = text.lines().count().saturating_sub(1);
+        wrote(path, &many(lines, "measurement"));
+    }
+    Ok(())
+}
+
+fn wrote(path: &Path, what: &str) {
+    note!("motes: wrote {}: {what}", path.display());
+}
+
+/// E.g. `1 record`, `3 records`.
+fn many(count: usize, what: &str) -> String {
+    match count {
+        1 => format!("1 {what}"),
+        count => format!("{count} {what}s"),
+    }
+}
+
 /// Refuses reports that cannot be written, before hours are spent on them.
-fn places(args: &BenchArgs) -> Result<(), CliError> {
-    let reports = [
+fn places(args: &BenchArgs, inputs: &[Input]) -> Result<(), CliError> {
+    let outputs = Output::given([
         ("--json", &args.json),
         ("--csv", &args.csv),
         ("--html", &args.html),
-    ];
-    let given = reports
-        .iter()
-        .filter_map(|(name, path)| Some((*name, path.as_ref()?)));
-    let given: Vec<_> = given.collect();
-    for (at, (name, path)) in given.iter().enumerate() {
-        super::refuse_folder(name, path)?;
-        if let Some((other, _)) = given[..at].iter().find(|(_, other)| other == path) {
-            return Err(CliError::usage(
-                format!(
-                    "{other} and {name} would be written to the same file: {}",
-                    path.display()
-                ),
-                "give each a path of its own",
-            ));
-        }
+    ]);
+    for output in &outputs {
+        super::refuse_folder(output.what(), output.path())?;
     }
-    Ok(())
+    collisions::refuse(&outputs, inputs)
 }
 
 /// Reads and checks everything before the first frame.
@@ -157,9 +184,14 @@ fn request(args: &BenchArgs) -> Result<Request, CliError> {
     } else {
         args.scenes.clone()
     };
-    let mut scenes: Vec<Scene> = Vec::new();
+    let loader = Loader {
+        allow_outside: args.allow_outside,
+    };
+    let (mut scenes, mut inputs): (Vec<Scene>, _) = (Vec::new(), Vec::new());
     for name in &asked {
-        let scene = scene::load(name)?;
+        let draft = loader.draft(name, &[])?;
+        let scene = draft.scene()?;
+        inputs.extend(draft.files());
         if scenes.iter().any(|other| other.name == scene.name) {
             return Err(CliError::usage(
                 format!("two scenes are called `{}`", scene.name),
@@ -168,6 +200,8 @@ fn request(args: &BenchArgs) -> Result<Request, CliError> {
         }
         scenes.push(scene);
     }
+    places(args, &inputs)?;
+    super::tell_notes(&scenes);
     let mut particles = args.particles.clone();
     particles.sort_unstable();
     particles.dedup();

@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{CliError, print, refuse_folder};
+use super::collisions::{self, Input, Output};
+use super::{CliError, note, print, refuse_folder};
 use crate::bench::{self, CompareError, Record, RecordError};
 use crate::output::write_whole;
 
@@ -57,10 +58,14 @@ impl From<CompareError> for CliError {
 }
 
 pub(super) fn run(args: &CompareArgs) -> Result<u8, CliError> {
+    let (old, new) = (files(&args.old)?, files(&args.new)?);
     if let Some(path) = &args.json {
         refuse_folder("--json", path)?;
+        let inputs = old.iter().chain(&new);
+        let inputs: Vec<Input> = inputs.map(|path| ("a record", path.clone())).collect();
+        collisions::refuse(&[Output::file("--json", path)], &inputs)?;
     }
-    let (old, new) = (records(&args.old)?, records(&args.new)?);
+    let (old, new) = (records(&old)?, records(&new)?);
     let comparisons = bench::compare(&old, &new, args.any_adapter)?;
     let texts: Vec<String> = comparisons
         .iter()
@@ -71,6 +76,7 @@ pub(super) fn run(args: &CompareArgs) -> Result<u8, CliError> {
             path,
             bench::comparisons_json(&comparisons, args.fail_above).as_bytes(),
         )?;
+        note!("motes: wrote {}: the comparison", path.display());
     }
     print(&texts.join("\n"))?;
     let fails = |percent| {
@@ -81,22 +87,27 @@ pub(super) fn run(args: &CompareArgs) -> Result<u8, CliError> {
     Ok(u8::from(args.fail_above.is_some_and(fails)))
 }
 
-/// The records of one file, or of several with commas between.
-fn records(asked: &Path) -> Result<Vec<Record>, CliError> {
+/// One file, or several with commas between.
+fn files(asked: &Path) -> Result<Vec<PathBuf>, CliError> {
     let text = asked.to_string_lossy();
     // A file may have a comma in its name.
     if asked.exists() || !text.contains(',') {
-        return Ok(bench::read_records(asked)?);
+        return Ok(vec![asked.to_owned()]);
     }
+    if text.split(',').any(str::is_empty) {
+        return Err(CliError::usage(
+            format!("a file's name is missing beside a comma in {text}"),
+            "put a comma between two names and nowhere else, e.g. a.json,b.json",
+        ));
+    }
+    Ok(text.split(',').map(PathBuf::from).collect())
+}
+
+/// The records of all these files.
+fn records(files: &[PathBuf]) -> Result<Vec<Record>, CliError> {
     let mut records = Vec::new();
-    for name in text.split(',') {
-        if name.is_empty() {
-            return Err(CliError::usage(
-                format!("a file's name is missing beside a comma in {text}"),
-                "put a comma between two names and nowhere else, e.g. a.json,b.json",
-            ));
-        }
-        records.extend(bench::read_records(Path::new(name))?);
+    for path in files {
+        records.extend(bench::read_records(path)?);
     }
     Ok(records)
 }

@@ -35,7 +35,7 @@ impl Interrupt {
                 .and_then(|_| flag::register(one, asked.clone()))
                 .and_then(|_| flag::register_usize(one, signal.clone(), one as usize))
                 .map_err(|e| CliError {
-                    message: format!("error: signals cannot be listened to: {e}"),
+                    message: format!("error: signals cannot be listened to: {e}\n  = help: run it where a process may handle signals"),
                     code: 3,
                 })?;
         }

@@ -3,15 +3,18 @@
 mod adapters;
 mod bench;
 mod check;
+mod collisions;
 mod compare;
 mod completions;
 mod interrupt;
 mod man;
+mod names;
 mod render;
 mod report;
 mod scenes;
 mod schema;
 
+use std::collections::HashSet;
 use std::io::{IsTerminal, Write};
 use std::path::Path;
 
@@ -99,10 +102,13 @@ macro_rules! note {
 }
 use note;
 
-/// Tells what was mended in a scene's files.
-fn tell_notes(scene: &Scene) {
-    for text in scene.notes() {
-        note!("motes: {text}");
+/// Tells what was mended in the files of these scenes, each note once.
+fn tell_notes<'a>(scenes: impl IntoIterator<Item = &'a Scene>) {
+    let mut told = HashSet::new();
+    for text in scenes.into_iter().flat_map(Scene::notes) {
+        if told.insert(text.clone()) {
+            note!("motes: {text}");
+        }
     }
 }
 
@@ -110,7 +116,7 @@ impl From<SceneError> for CliError {
     fn from(error: SceneError) -> Self {
         Self {
             message: error.to_string(),
-            code: 2,
+            code: if error.is_users_fault() { 2 } else { 3 },
         }
     }
 }
@@ -174,7 +180,10 @@ pub(crate) fn print(text: &str) -> Result<(), CliError> {
                 std::io::ErrorKind::BrokenPipe => {
                     "\n  = help: what reads it has ended; write to a file and read that"
                 }
-                _ => "",
+                std::io::ErrorKind::StorageFull => {
+                    "\n  = help: make room, or write to another disk"
+                }
+                _ => "\n  = help: direct it to a file that can be written",
             };
             CliError {
                 message: format!("error: standard output cannot be written: {e}{help}"),

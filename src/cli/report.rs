@@ -2,14 +2,14 @@
 
 use std::path::PathBuf;
 
+use super::collisions::{self, Input, Output};
 use super::{CliError, print, refuse_folder};
 use crate::bench::{self, Record};
-use crate::output::write_whole;
 
 /// Arguments of `motes report`.
 #[derive(Debug, clap::Args)]
 pub(super) struct ReportArgs {
-    /// Records made by `motes bench --json`
+    /// Records made by `motes bench --json`; those of one sweep, cut in pieces, are shown as one
     #[arg(value_name = "RECORD.json", required = true)]
     records: Vec<PathBuf>,
     /// Write one page with pictures of all records
@@ -21,27 +21,21 @@ pub(super) struct ReportArgs {
 }
 
 pub(super) fn run(args: &ReportArgs) -> Result<u8, CliError> {
-    for (argument, path) in [("--html", &args.html), ("--csv", &args.csv)] {
-        if let Some(path) = path {
-            refuse_folder(argument, path)?;
-        }
+    let outputs = Output::given([("--html", &args.html), ("--csv", &args.csv)]);
+    for output in &outputs {
+        refuse_folder(output.what(), output.path())?;
     }
-    if args.html.is_some() && args.html == args.csv {
-        return Err(CliError::usage(
-            "--html and --csv would be written to the same file",
-            "give each a path of its own",
-        ));
-    }
+    let inputs = args.records.iter();
+    let inputs: Vec<Input> = inputs.map(|path| ("a record", path.clone())).collect();
+    collisions::refuse(&outputs, &inputs)?;
     let mut records: Vec<Record> = Vec::new();
+    let mut files: Vec<String> = Vec::new();
     for path in &args.records {
         records.extend(bench::read_records(path)?);
+        files.resize(records.len(), path.display().to_string());
     }
-    if let Some(path) = &args.html {
-        write_whole(path, bench::html(&records).as_bytes())?;
-    }
-    if let Some(path) = &args.csv {
-        write_whole(path, bench::csv(&records).as_bytes())?;
-    }
+    let (records, files) = bench::merged(records, files);
+    super::bench::reports(&records, &files, args.html.as_deref(), args.csv.as_deref())?;
     // Who asked for files has his answer in them.
     if args.html.is_none() && args.csv.is_none() {
         let tables: Vec<String> = records.iter().map(bench::table).collect();

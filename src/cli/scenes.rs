@@ -1,5 +1,6 @@
 //! `motes scenes`: what is built in, and what can be changed in a scene.
 
+use super::names::SceneName;
 use super::{CliError, note, print};
 use crate::json::Json;
 use crate::scene::schema::Kind;
@@ -12,10 +13,10 @@ const COLUMNS: usize = 80;
 #[derive(Debug, clap::Args)]
 pub(super) struct ScenesArgs {
     /// Print the TOML text of one scene, to start your own from, or a file that a scene reads
-    #[arg(long, value_name = "SCENE")]
+    #[arg(long, value_name = "SCENE", value_parser = SceneName, hide_possible_values = true)]
     show: Option<String>,
     /// List every number, flag and choice of a scene that `--set` can change
-    #[arg(long, value_name = "SCENE", conflicts_with = "show")]
+    #[arg(long, value_name = "SCENE", value_parser = SceneName, hide_possible_values = true, conflicts_with = "show")]
     knobs: Option<String>,
     /// Let the scene of --knobs read files outside of its folder
     #[arg(long, requires = "knobs")]

@@ -3,7 +3,7 @@
 
 use glam::Vec3;
 
-use crate::cpu::footprint::overlap;
+use crate::cpu::reach::{center_of, overlap};
 use crate::exact::{
     clamp_exact, f32_of_i32, less, max_exact, min_exact, reciprocal, shared_constants, snap, snap3,
     square_root, to_i32,
@@ -21,6 +21,8 @@ shared_constants! {
     const UPRIGHT: f32 = 0.003_906_25;
     /// What lies farther from the picture's corner counts as there.
     const FARTHEST: f32 = 1_048_576.0;
+    /// A distance is wrong by less than this part of the largest number that it is made of.
+    const ROUNDING: f32 = 0.000_003_814_697_3;
 }
 
 /// A pixel on the way from near to far: light that is seen, and how much of the rest shows through.
@@ -63,27 +65,26 @@ pub fn far_to_near(cover: &Cover) -> u32 {
 }
 
 /// First pixel and one past the last, across and down, that it may cover in a picture of that size.
+/// Distances that are rounded may fall short, by less than the margin.
 #[inline]
 pub fn bounds_of(cover: &Cover, width: u32, height: u32) -> [i32; 4] {
     let [ax, ay, bx, by] = cover.points.map(f32::from_bits);
     let [u, v] = [cover.shape[0], cover.shape[1]].map(f32::from_bits);
-    let (low, high) = match cover.shape[2] {
-        COVER_SEGMENT => (
-            [min_exact(ax, bx) - u, min_exact(ay, by) - u],
-            [max_exact(ax, bx) + u, max_exact(ay, by) + u],
-        ),
-        COVER_TRIANGLE => (
-            [
-                min_exact(min_exact(ax, bx), u),
-                min_exact(min_exact(ay, by), v),
-            ],
-            [
-                max_exact(max_exact(ax, bx), u),
-                max_exact(max_exact(ay, by), v),
-            ],
-        ),
-        _ => ([ax - u, ay - u], [ax + u, ay + u]),
-    };
+    let is_segment = cover.shape[2] == COVER_SEGMENT;
+    let (end_x, end_y) = if is_segment { (bx, by) } else { (ax, ay) };
+    let largest = max_exact(
+        max_exact(ax.abs(), ay.abs()),
+        max_exact(max_exact(end_x.abs(), end_y.abs()), u),
+    );
+    let reach = u + largest * ROUNDING;
+    let mut low = [min_exact(ax, end_x) - reach, min_exact(ay, end_y) - reach];
+    let mut high = [max_exact(ax, end_x) + reach, max_exact(ay, end_y) + reach];
+    if cover.shape[2] == COVER_TRIANGLE {
+        low[0] = min_exact(min_exact(ax, bx), u);
+        low[1] = min_exact(min_exact(ay, by), v);
+        high[0] = max_exact(max_exact(ax, bx), u);
+        high[1] = max_exact(max_exact(ay, by), v);
+    }
     let pixel = |x: f32| to_i32(clamp_exact(x, -FARTHEST, FARTHEST));
     [
         pixel(low[0]).max(0),
@@ -158,7 +159,7 @@ pub fn coverage_at(cover: &Cover, x: i32, y: i32) -> f32 {
     let center_y = f32_of_i32(y) + 0.5;
     let [ax, ay, bx, by] = points;
     if kind == COVER_SQUARE {
-        return overlap(x, ax - u, ax + u) * overlap(y, ay - u, ay + u);
+        return overlap(center_of(x), ax - u, ax + u) * overlap(center_of(y), ay - u, ay + u);
     }
     if kind == COVER_TRIANGLE {
         let corner = [f32_of_i32(x), f32_of_i32(y)];

@@ -91,6 +91,18 @@ pub(crate) fn on_triangle(face: [[f32; 4]; 3], place: UVec4, scale: f32) -> Birt
     }
 }
 
+/// Two directions across a unit vector and each other: across and upward.
+#[inline]
+pub(crate) fn basis_of(axis: Vec3) -> (Vec3, Vec3) {
+    let side = if less(axis.z, 0.0) { -1.0 } else { 1.0 };
+    let a = -reciprocal(side + axis.z);
+    let b = axis.x * axis.y * a;
+    (
+        Vec3::new(1.0 + side * axis.x * axis.x * a, side * b, -side * axis.x),
+        Vec3::new(b, side + axis.y * axis.y * a, -axis.y),
+    )
+}
+
 /// A unit vector within the ejection angle of the unit vector `axis`.
 #[inline]
 pub(crate) fn ejected(row: &SystemRow, axis: Vec3, motion: UVec4) -> Vec3 {
@@ -102,11 +114,7 @@ pub(crate) fn ejected(row: &SystemRow, axis: Vec3, motion: UVec4) -> Vec3 {
         1.0 - u * (1.0 - limits[0])
     };
     let local = on_sphere(cosine, unit_float(motion.y));
-    let side = if less(axis.z, 0.0) { -1.0 } else { 1.0 };
-    let a = -reciprocal(side + axis.z);
-    let b = axis.x * axis.y * a;
-    let across = Vec3::new(1.0 + side * axis.x * axis.x * a, side * b, -side * axis.x);
-    let upward = Vec3::new(b, side + axis.y * axis.y * a, -axis.y);
+    let (across, upward) = basis_of(axis);
     across * local.x + upward * local.y + axis * local.z
 }
 

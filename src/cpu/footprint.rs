@@ -1,43 +1,37 @@
-//! The pixels that a particle covers, and how much of each, antialiased (Reeves 1983, 2.5 and 3).
-//! Twin of `wgsl/lib/footprint.wgsl`, line by line; see there for how light is kept.
+//! The pixels that a streak, a square or a larger disc covers, and how much of each, antialiased
+//! (Reeves 1983, 2.5 and 3). Twin of `wgsl/lib/footprint.wgsl`, line by line; see there for how light
+//! is kept.
 
 use crate::cpu::projection::Projected;
+use crate::cpu::reach::{LEAST_WAY_SQUARED, PI, center_of, edged_radius, overlap};
 use crate::exact::{
-    at_least_zero, clamp_unit, f32_of_i32, inverse_square_root, less, max_exact, min_exact,
-    reciprocal, shared_constants, square_root, to_i32,
+    clamp_unit, inverse_square_root, less, max_exact, min_exact, reciprocal, shared_constants,
+    square_root, to_i32,
 };
 use crate::layout::{FRAME_EYE, Frame};
 
 shared_constants! {
-    /// Half a turn over its radius.
-    pub(crate) const PI: f32 = std::f32::consts::PI;
-    /// Radii are at most this many pixels: four times the largest picture.
-    pub(crate) const MOST_RADIUS_PX: f32 = 16_384.0;
     /// Footprints of at most this many pixels are summed one by one.
-    pub(crate) const FEW_CELLS: u32 = 2048;
+    const FEW_CELLS: u32 = 2048;
     /// A disc of at least this radius needs no gain; below half of it, all of it.
     pub(crate) const LARGE_RADIUS_PX: f32 = 4.0;
-    /// A disc at rest that reaches no further than this is smaller than half of the above, and
-    /// covers pixels of a square of so many at a side.
-    const SMALL_REACH_PX: f32 = 2.47;
-    pub(crate) const SMALL_SIDE: u32 = 5;
+    /// Pixels count by their centres, so rows of what is no farther away than this are narrower by
+    /// nearly half a pixel on either side; a rest is left for rounding.
+    const NEAR_PX: f32 = 16_384.0;
+    const CENTER_TRIM_PX: f32 = 0.375;
     /// Pixel coordinates are kept within these, and ranges of them below 2^15.
     const FARTHEST_PX: i32 = 16_777_216;
     const LONGEST_PX: i32 = 32_768;
-    /// Invocations that share a footprint of many pixels.
-    pub(crate) const SHARES: u32 = 256;
-    /// A small disc at rest.
-    pub(crate) const SMALL_DISC: u32 = 0;
-    /// A disc swept along a segment.
-    pub(crate) const CAPSULE: u32 = 1;
-    /// A square that faces the viewer.
-    pub(crate) const SQUARE: u32 = 2;
+    /// Invocations that share a footprint of many pixels, and where their list starts: here, a
+    /// particle is drawn in one go.
+    const SHARES: u32 = 256;
+    const LIST_START: u32 = 4;
 }
 
 /// A disc swept along a segment, or a square; `major` is the axis on which the segment is longer.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Footprint {
-    pub(crate) kind: u32,
+    pub(crate) square: bool,
     pub(crate) steep: bool,
     start_major: f32,
     start_minor: f32,
@@ -55,36 +49,6 @@ pub(crate) struct Footprint {
     pub(crate) minor_size: i32,
 }
 
-/// Whether any of it may fall into the picture.
-#[inline]
-pub(crate) fn is_visible(view: &Frame, start: Projected, end: Projected, radius_px: f32) -> bool {
-    let reach = radius_px + 2.0;
-    let width = f32_of_i32(view.width as i32);
-    let height = f32_of_i32(view.height as i32);
-    !(less(start.depth, view.near)
-        || less(end.depth, view.near)
-        || less(max_exact(start.x, end.x) + reach, 0.0)
-        || less(max_exact(start.y, end.y) + reach, 0.0)
-        || less(width, min_exact(start.x, end.x) - reach)
-        || less(height, min_exact(start.y, end.y) - reach))
-}
-
-/// The radius whose edge, one pixel wide, gives the area of a disc of `radius_px`.
-#[inline]
-pub(crate) fn edged_radius(radius_px: f32) -> f32 {
-    max_exact(
-        square_root(at_least_zero(radius_px * radius_px - 0.083_333_336)),
-        0.5,
-    )
-}
-
-/// How much of the unit interval from `pixel` lies within [low, high].
-#[inline]
-pub(crate) fn overlap(pixel: i32, low: f32, high: f32) -> f32 {
-    let left = f32_of_i32(pixel);
-    clamp_unit(min_exact(left + 1.0, high) - max_exact(left, low))
-}
-
 #[inline]
 fn span(first: i32, last: i32) -> u32 {
     (last - first).clamp(0, LONGEST_PX) as u32
@@ -94,8 +58,8 @@ impl Footprint {
     /// How much of a pixel the disc or streak covers, 0 to 1.
     #[inline]
     pub(crate) fn weight_at(&self, major: i32, minor: i32) -> f32 {
-        let dx = f32_of_i32(major) + 0.5 - self.start_major;
-        let dy = f32_of_i32(minor) + 0.5 - self.start_minor;
+        let dx = center_of(major) - self.start_major;
+        let dy = center_of(minor) - self.start_minor;
         let along = (dx * self.along_major + dy * self.along_minor) * self.inverse_length_squared;
         let t = clamp_unit(along);
         let ex = dx - t * self.along_major;
@@ -108,11 +72,11 @@ impl Footprint {
     #[inline]
     pub(crate) fn square_weight_at(&self, major: i32, minor: i32) -> f32 {
         overlap(
-            major,
+            center_of(major),
             self.start_major - self.reach,
             self.start_major + self.reach,
         ) * overlap(
-            minor,
+            center_of(minor),
             self.start_minor - self.reach,
             self.start_minor + self.reach,
         )
@@ -121,7 +85,7 @@ impl Footprint {
     /// First and one past the last pixel along the minor axis that may be covered.
     #[inline]
     pub(crate) fn minor_range(&self, major: i32) -> (i32, i32) {
-        let middle = self.start_minor + (f32_of_i32(major) + 0.5 - self.start_major) * self.slope;
+        let middle = self.start_minor + (center_of(major) - self.start_major) * self.slope;
         (
             to_i32(middle - self.minor_reach),
             to_i32(middle + self.minor_reach) + 1,
@@ -182,7 +146,7 @@ impl Footprint {
         let dx = end.x - start.x;
         let dy = end.y - start.y;
         let length_squared = dx * dx + dy * dy;
-        let moves = less(0.0001, length_squared);
+        let moves = less(LEAST_WAY_SQUARED, length_squared);
         let steep = square || less(dx.abs(), dy.abs());
         let when_moving = |x: f32| if moves { x } else { 0.0 };
         let along_major = when_moving(if steep { dy } else { dx });
@@ -196,8 +160,14 @@ impl Footprint {
             edged_radius(radius_px)
         };
         let reach = if square { radius_px } else { edge + 0.5 };
+        let minor_reach = reach * square_root(1.0 + slope * slope);
+        let farthest = max_exact(
+            max_exact(start.x.abs(), start.y.abs()),
+            max_exact(end.x.abs(), end.y.abs()),
+        );
+        let is_near = !square && less(farthest, NEAR_PX);
         let mut shape = Self {
-            kind: if square { SQUARE } else { CAPSULE },
+            square,
             steep,
             start_major: if steep { start.y } else { start.x },
             start_minor: if steep { start.x } else { start.y },
@@ -205,7 +175,11 @@ impl Footprint {
             along_minor,
             inverse_length_squared: when_moving(inverse_length * inverse_length),
             reach,
-            minor_reach: reach * square_root(1.0 + slope * slope),
+            minor_reach: if is_near {
+                minor_reach - CENTER_TRIM_PX
+            } else {
+                minor_reach
+            },
             slope,
             gain: 1.0,
             early: 1.0,
@@ -220,17 +194,13 @@ impl Footprint {
             shape.early = 1.0 - lateness;
             shape.late = 2.0 * lateness;
         }
-        if !moves && !square && less(reach, SMALL_REACH_PX) {
-            shape.kind = SMALL_DISC;
-            return shape;
-        }
         let end_major = shape.start_major + along_major;
         let first = to_i32(min_exact(shape.start_major, end_major) - reach)
             .clamp(-FARTHEST_PX, FARTHEST_PX);
         let last = (to_i32(max_exact(shape.start_major, end_major) + reach) + 1)
             .clamp(-FARTHEST_PX, FARTHEST_PX);
         let (width, height) = (view.width as i32, view.height as i32);
-        let across = to_i32(2.0 * shape.minor_reach) as u32 + 2;
+        let across = to_i32(2.0 * minor_reach) as u32 + 2;
         shape.first = first.max(0);
         shape.last = last.min(if steep { height } else { width });
         shape.minor_size = if steep { width } else { height };

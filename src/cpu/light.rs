@@ -3,7 +3,7 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use crate::exact::{f32_of_u32, shared_constants, to_u32};
+use crate::exact::{f32_of_u32, shared_constants, to_i32, to_u32};
 
 shared_constants! {
     /// Steps of light in 1.0.
@@ -60,6 +60,19 @@ impl LightSums {
         // A zero is most often an uncovered channel: not worth a locked instruction.
         if steps != 0 {
             self.sums[at].fetch_add(u64::from(steps), Ordering::Relaxed);
+        }
+    }
+
+    /// Leaves of each pixel what shows of it behind the planet's; the fourth word of a planet's pixel
+    /// is how much, as bits.
+    pub(super) fn hide(&mut self, planet: &[[u32; 4]]) {
+        for (channels, pixel) in self.sums.chunks_exact_mut(3).zip(planet) {
+            let share = to_i32(f32::from_bits(pixel[3]) * 65_536.0 + 0.5) as u64;
+            for sum in channels {
+                let (high, low) = (*sum.get_mut() >> 32, *sum.get_mut() & 0xffff_ffff);
+                let whole = (high.min(0xffff) << 32) | low;
+                *sum.get_mut() = ((u128::from(whole) * u128::from(share)) >> 16) as u64;
+            }
         }
     }
 

@@ -6,7 +6,7 @@
 pub mod boid;
 pub mod cover;
 mod digest;
-
+pub mod disc;
 pub mod draw;
 pub mod emission;
 pub mod fan;
@@ -19,10 +19,12 @@ pub mod light;
 pub mod particle;
 pub mod particles;
 pub mod projection;
+pub mod reach;
 pub mod shape;
 pub(crate) mod sprite;
 pub mod steering;
 pub mod systems;
+pub mod tree;
 pub mod wind;
 
 use std::sync::Arc;
@@ -37,6 +39,7 @@ use flock::Flocks;
 use light::LightSums;
 use particle::{Identity, row_index};
 use particles::cull::{Fate, fate_of};
+use tree::Tree;
 
 pub use digest::{digest, digest_from};
 
@@ -57,6 +60,9 @@ pub struct CpuBackend {
     deaths: [u32; 2],
     curve_points: Vec<[f32; 4]>,
     meshes: Arc<MeshTables>,
+    tree: Tree,
+    /// Empty if there is no planet.
+    planet_pixels: Vec<[u32; 4]>,
     flocks: Flocks,
     flames: Flames,
     light: LightSums,
@@ -102,6 +108,8 @@ impl CpuBackend {
             deaths: [0; 2],
             curve_points: plan.curve_points.clone(),
             meshes: Arc::clone(&plan.meshes),
+            tree: Tree::new(plan),
+            planet_pixels: try_zeroed(if plan.uses.planet { pixels } else { 0 }, "pixels")?,
             flocks: Flocks::new(plan)?,
             flames: Flames::new(plan)?,
             light: LightSums::new(plan.width, plan.height),
@@ -119,7 +127,22 @@ impl CpuBackend {
         if !stage.is_due(inputs) {
             return Ok(());
         }
+        if stage == Stage::Tree {
+            self.keep_rows(inputs);
+            self.tree.step(inputs, &mut self.rows);
+            return Ok(());
+        }
+        if self.tree.is_empty() {
+            return self.run_filled(stage, inputs);
+        }
+        let filled = self.tree.filled(inputs);
+        self.run_filled(stage, &filled)
+    }
+
+    /// Runs a stage with the systems that others have borne among its inputs.
+    fn run_filled(&mut self, stage: Stage, inputs: &FrameInputs) -> Result<(), BackendError> {
         match stage {
+            Stage::Tree => {}
             Stage::Births => self.births(inputs),
             Stage::Emit => self.emit(inputs)?,
             Stage::Cull => self.cull(inputs),
@@ -149,29 +172,49 @@ impl CpuBackend {
                 draw::cover::cover(&self.covers, &inputs.frame, rg, bt);
             }
             Stage::Shapes | Stage::Cover => {}
-            Stage::Splat => {
-                self.light.clear();
-                let (rows, light) = (&self.rows, &self.light);
-                self.particles.par_chunks(CHUNK / 8).for_each(|chunk| {
-                    for particle in chunk {
-                        draw::splat::splat(particle, inputs, rows, light);
-                    }
+            Stage::Planet => {
+                let pixels = self.planet_pixels.par_iter_mut().with_min_len(1024);
+                pixels.enumerate().for_each(|(pixel, out)| {
+                    let planet = &inputs.planets[0];
+                    *out = draw::planet::planet(&inputs.frame, planet, &inputs.lamps, pixel as u32);
                 });
+                self.light.clear();
+                self.splat(inputs, true);
+                self.light.hide(&self.planet_pixels);
+            }
+            Stage::Splat => {
+                if inputs.planets.is_empty() {
+                    self.light.clear();
+                }
+                self.splat(inputs, false);
             }
             Stage::Resolve => {
                 let light = &self.light;
                 let (rg, bt) = (&self.cover_rg, &self.cover_bt);
+                let planet = &self.planet_pixels;
                 self.image
                     .par_iter_mut()
                     .with_min_len(4096)
                     .enumerate()
                     .for_each(|(pixel, out)| {
                         let covers = rg.get(pixel).copied().zip(bt.get(pixel).copied());
-                        *out = draw::resolve::resolve(&inputs.frame, light, covers, pixel)
+                        let ground = planet.get(pixel).copied();
+                        let behind = draw::resolve::Behind { ground, covers };
+                        *out = draw::resolve::resolve(&inputs.frame, light, behind, pixel)
                     });
             }
         }
         Ok(())
+    }
+
+    /// Adds the light of the particles on that side of a planet's outline.
+    fn splat(&self, inputs: &FrameInputs, is_behind: bool) {
+        let (rows, light) = (&self.rows, &self.light);
+        self.particles.par_chunks(CHUNK / 8).for_each(|chunk| {
+            for particle in chunk {
+                draw::splat::splat(particle, inputs, rows, light, is_behind);
+            }
+        });
     }
 
     fn keep_rows(&mut self, inputs: &FrameInputs) {
@@ -286,6 +329,10 @@ impl CpuBackend {
             dropped: counts.dropped,
             died_of_intensity: self.deaths[0],
             died_of_bounds: self.deaths[1],
+            systems_requested: self.tree.counts.requested,
+            systems_born: self.tree.counts.born,
+            systems_died: self.tree.counts.died,
+            systems_live: self.tree.counts.live,
         });
         Ok(())
     }
@@ -348,6 +395,11 @@ impl Backend for CpuBackend {
             "birth_offsets" => self.birth_offsets.clone(),
             "counts" => bytemuck::cast_slice(&[self.counts]).to_vec(),
             "particles" => try_copied(bytemuck::cast_slice(&self.particles), "the particles")?,
+            "planet_pixels" => bytemuck::cast_slice(&self.planet_pixels).to_vec(),
+            "nodes" => bytemuck::cast_slice(&self.tree.nodes).to_vec(),
+            "tree_counts" => bytemuck::cast_slice(&[self.tree.counts]).to_vec(),
+            "borne_systems" => bytemuck::cast_slice(&self.tree.systems).to_vec(),
+            "rows" => bytemuck::cast_slice(&self.rows).to_vec(),
             "alive_bits" => self.alive_bits.clone(),
             "deaths" => self.deaths.to_vec(),
             "boids" => try_copied(bytemuck::cast_slice(&self.flocks.boids), "the boids")?,
@@ -384,6 +436,7 @@ impl Backend for CpuBackend {
     fn restore(&mut self, living: &Living<'_>, recent: &[FrameInputs]) -> Result<(), BackendError> {
         let particles = living.particles;
         bytemuck::cast_slice_mut(&mut self.flocks.boids).copy_from_slice(living.boids);
+        self.tree.clear();
         recent.iter().for_each(|inputs| self.keep_rows(inputs));
         let live = particles.len() * 4 / size_of::<Particle>();
         self.particles.clear();
@@ -405,6 +458,7 @@ impl Backend for CpuBackend {
 
     fn population_digest(&mut self, population: Population) -> Result<u64, BackendError> {
         let (words, vectors) = match population {
+            Population::Systems => (bytemuck::cast_slice(&self.tree.nodes), 7),
             Population::Particles => (bytemuck::cast_slice(&self.particles), 2),
             Population::Boids => (bytemuck::cast_slice(&self.flocks.boids), 2),
             Population::Flames => (bytemuck::cast_slice(&self.flames.flames), 4),

@@ -2,7 +2,8 @@
 
 use glam::{Vec2, Vec3, Vec4};
 
-use crate::cpu::footprint::{LARGE_RADIUS_PX, PI, edged_radius};
+use crate::cpu::footprint::LARGE_RADIUS_PX;
+use crate::cpu::reach::{PI, edged_radius};
 use crate::exact::{
     bits_of, clamp_exact, f32_of_i32, less, max_exact, min_exact, reciprocal, square_root, to_i32,
 };

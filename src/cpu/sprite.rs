@@ -3,9 +3,9 @@
 
 use glam::{Vec3, Vec4};
 
-use crate::cpu::footprint::MOST_RADIUS_PX;
 use crate::cpu::particle::{appearance_of, identity_of};
 use crate::cpu::projection::{Projected, project, project_closing, world_of};
+use crate::cpu::reach::MOST_RADIUS_PX;
 use crate::exact::{inverse_square_root, less, min_exact};
 use crate::layout::{PARTICLE_RECTANGLE, PARTICLE_STREAK, Particle, STREAK_CONSTANT, SystemRow};
 use crate::plan::FrameInputs;

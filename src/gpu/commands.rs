@@ -28,6 +28,12 @@ enum Work {
     Once,
     /// One a system.
     Systems,
+    /// At every step of the tree: one a slot, one in all, one a slot that others bear.
+    TreeSlots,
+    /// As above.
+    TreeOnce,
+    /// As above.
+    TreeBorne,
     /// One for every four pixels.
     Pixels,
     /// As the dispatch at that place says.
@@ -40,9 +46,13 @@ enum Work {
     PagePairs,
     /// Page by page, as the splat's dispatches say.
     LivePages,
+    /// The same, told whether of particles behind the planet (1) or of the others.
+    SplatPages(u32),
+    /// One a pixel.
+    EachPixel,
     /// One invocation a page.
     OncePages,
-    /// Page by page, as the dispatches for what covers many pixels say.
+    /// Page by page, as the dispatches for all but small discs say.
     LargePages,
     /// Flock by flock, one a boid.
     Boids,
@@ -71,6 +81,8 @@ enum Work {
 /// Neighbours in [`STAGE_KERNELS`] that take turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Turns {
+    /// At each step from the roots of systems that bear systems.
+    Tree,
     /// In each pass of the sort by 32-bit keys.
     Sort,
     /// In each round of what covers.
@@ -81,6 +93,7 @@ impl Work {
     fn turns(self) -> Option<Turns> {
         match self {
             Self::SortRuns | Self::SortDigits | Self::SortOnce => Some(Turns::Sort),
+            Self::TreeSlots | Self::TreeOnce | Self::TreeBorne => Some(Turns::Tree),
             Self::Round(_) => Some(Turns::Rounds),
             _ => None,
         }
@@ -101,6 +114,26 @@ pub(super) fn turning_with(kernel: &KernelUse) -> Vec<&'static KernelUse> {
 
 /// Every kernel of a frame in order; reading it is reading the frame on a device.
 pub static STAGE_KERNELS: &[KernelUse] = &[
+    KernelUse {
+        stage: Stage::Tree,
+        kernel: "tree/bear",
+        work: Work::TreeSlots,
+    },
+    KernelUse {
+        stage: Stage::Tree,
+        kernel: "tree/settle",
+        work: Work::TreeOnce,
+    },
+    KernelUse {
+        stage: Stage::Tree,
+        kernel: "tree/found",
+        work: Work::TreeBorne,
+    },
+    KernelUse {
+        stage: Stage::Tree,
+        kernel: "tree/pose",
+        work: Work::TreeBorne,
+    },
     KernelUse {
         stage: Stage::Births,
         kernel: "systems/births",
@@ -262,9 +295,34 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
         work: Work::Round(2),
     },
     KernelUse {
+        stage: Stage::Planet,
+        kernel: "draw/planet",
+        work: Work::EachPixel,
+    },
+    KernelUse {
+        stage: Stage::Planet,
+        kernel: "draw/splat",
+        work: Work::SplatPages(1),
+    },
+    KernelUse {
+        stage: Stage::Planet,
+        kernel: "draw/large_work",
+        work: Work::OncePages,
+    },
+    KernelUse {
+        stage: Stage::Planet,
+        kernel: "draw/splat_large",
+        work: Work::LargePages,
+    },
+    KernelUse {
+        stage: Stage::Planet,
+        kernel: "draw/hide",
+        work: Work::EachPixel,
+    },
+    KernelUse {
         stage: Stage::Splat,
         kernel: "draw/splat",
-        work: Work::LivePages,
+        work: Work::SplatPages(0),
     },
     KernelUse {
         stage: Stage::Splat,
@@ -296,7 +354,9 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
 /// Whether a run of the plan ever dispatches the kernel; those of no stage are always at hand.
 pub(super) fn is_used(kernel: &str, plan: &Plan) -> bool {
     let mut uses = STAGE_KERNELS.iter().filter(|one| one.kernel == kernel);
-    uses.all(|one| plan.has(one.stage))
+    let mut is_due = uses.clone().any(|one| plan.has(one.stage));
+    is_due |= uses.next().is_none();
+    is_due
 }
 
 /// Pixels in a line that an invocation sums at a time: that of `wgsl/draw/glow.wgsl`.
@@ -388,6 +448,7 @@ impl GpuBackend {
         };
         for group in of_stage.chunk_by(take_turns) {
             let turns = match group[0].work.turns() {
+                Some(Turns::Tree) => plan.tree_levels,
                 Some(Turns::Sort) => sort::PASSES,
                 Some(Turns::Rounds) => self.memory.tiling.rounds,
                 None => 1,
@@ -435,6 +496,18 @@ impl GpuBackend {
         match kernel_use.work {
             Work::Once => push(0, 0, &[], Size::Direct(1, 1)),
             Work::Systems => push(0, 0, &[], direct(plan.system_count)),
+            Work::TreeSlots => push(0, 0, &[turn], direct(plan.system_count)),
+            Work::TreeOnce => push(0, 0, &[turn], Size::Direct(1, 1)),
+            Work::TreeBorne => {
+                let step = [turn];
+                let told: &[u32] = if kernel == "tree/found" { &[] } else { &step };
+                push(
+                    0,
+                    0,
+                    told,
+                    direct(plan.system_count - plan.own_system_count),
+                )
+            }
             Work::Pixels => push(0, 0, &[], direct((plan.width * plan.height).div_ceil(4))),
             Work::CellRuns => push(0, 0, &[], direct(plan.cell_count.div_ceil(64))),
             Work::Boids => plan
@@ -488,6 +561,11 @@ impl GpuBackend {
                     Size::Indirect(paging.splat_dispatch(page)),
                 )
             }),
+            Work::SplatPages(is_behind) => (0..paging.page_count).try_for_each(|page| {
+                let size = Size::Indirect(paging.splat_dispatch(page));
+                push(page as usize, 0, &[page, is_behind], size)
+            }),
+            Work::EachPixel => push(0, 0, &[], direct(plan.width * plan.height)),
             Work::OncePages => (0..paging.page_count)
                 .try_for_each(|page| push(page as usize, 0, &[page], Size::Direct(1, 1))),
             Work::LargePages => (0..paging.page_count).try_for_each(|page| {
@@ -557,6 +635,12 @@ impl GpuBackend {
     ) -> Result<Vec<Command>, BackendError> {
         let first = population.first_index();
         match population {
+            Population::Systems if self.node_count == 0 => Ok(Vec::new()),
+            Population::Systems => {
+                let nodes = self.memory.named("nodes")?;
+                let command = self.digest_command(nodes, first, self.node_count, 7, false)?;
+                Ok(vec![command])
+            }
             Population::Particles => self.particle_digest(current),
             Population::Flames if self.flame_count == 0 => Ok(Vec::new()),
             Population::Flames => {

@@ -22,16 +22,18 @@ impl GpuBackend {
         self.memory.paging.page_count
     }
 
-    /// Particles that the last drawing left to the kernel for those that cover many pixels.
+    /// Particles that the last drawing left to the kernel for all but small discs.
     ///
     /// # Errors
     /// The device fails.
     pub fn large_particles(&mut self) -> Result<u64, BackendError> {
         self.watched(|run| {
             let pages = run.memory.large.iter();
-            // The count is kept in word 1.
-            let counts = pages.map(|page| readback::words(&run.gpu, page, 8).map(|two| two[1]));
-            counts.map(|count| count.map(u64::from)).sum()
+            // Of few pixels and of many, the counts are kept in words 2 and 3.
+            let heads = pages.map(|page| readback::words(&run.gpu, page, 16));
+            heads
+                .map(|head| head.map(|of| u64::from(of[2]) + u64::from(of[3])))
+                .sum()
         })
     }
 }

@@ -80,9 +80,11 @@ pub(super) struct Memory {
     pub(super) paging: Paging,
     pub(super) tiling: Tiling,
     pub(super) pools: [Vec<wgpu::Buffer>; 2],
-    /// For each page, the particles that cover many pixels: a count, its copy, indices.
+    /// For each page, the particles that are no small discs: two counts, their copies, indices.
     pub(super) large: Vec<wgpu::Buffer>,
     named: HashMap<&'static str, wgpu::Buffer>,
+    /// Whether light is there before the splat: that of particles behind the planet.
+    has_planet: bool,
     /// Bytes allocated in all.
     pub(super) bytes: u64,
 }
@@ -110,7 +112,7 @@ impl Memory {
         let page_bytes = u64::from(paging.page_len) * PARTICLE_BYTES;
         let pages = paging.page_count as usize;
         let pooled = iter::repeat_n(("particles", page_bytes), 2 * pages);
-        let large_bytes = (u64::from(paging.page_len) + 2) * 4;
+        let large_bytes = (u64::from(paging.page_len) + 4) * 4;
         let large = iter::repeat_n(("large_particles", large_bytes), pages);
         let single = BUFFERS.iter().filter(|declared| {
             declared.name != "large_particles"
@@ -159,6 +161,7 @@ impl Memory {
                 .map(|(name, _)| *name)
                 .zip(buffers)
                 .collect(),
+            has_planet: plan.uses.planet,
             bytes,
         })
     }
@@ -183,7 +186,8 @@ impl Memory {
     pub(super) fn begin(&self, stage: Stage, encoder: &mut wgpu::CommandEncoder) {
         let names: &[&str] = match stage {
             Stage::Shapes => &["cover_counts"],
-            Stage::Splat => &["light_low", "light_high", "light_packed"],
+            Stage::Splat if self.has_planet => &[],
+            Stage::Splat | Stage::Planet => &["light_low", "light_high", "light_packed"],
             _ => &[],
         };
         for buffer in names.iter().filter_map(|name| self.named.get(name)) {

@@ -31,6 +31,7 @@ mod traffic;
 mod watch;
 mod yardstick;
 mod yardstick_memory;
+mod yardstick_sort;
 
 use std::collections::{HashMap, VecDeque};
 use std::sync::Arc;
@@ -57,10 +58,11 @@ pub use picture::{ParticleBuffers, TextureError};
 pub use probe::KernelForm;
 pub use raster::{RasterShape, RasterTarget};
 pub use timing::KernelTimes;
-pub use traffic::{Load, Traffic, stage_traffic, traffic};
+pub use traffic::{Load, Traffic, sort_bytes, stage_traffic, traffic};
 pub use watch::is_waiting;
 pub use yardstick::{Timed, Yardstick};
 pub use yardstick_memory::{TABLE_WORDS, YardstickMemory};
+pub use yardstick_sort::SortYardstick;
 
 /// The state of a run on a device.
 pub struct GpuBackend {
@@ -72,6 +74,7 @@ pub struct GpuBackend {
     commands: [HashMap<Stage, Vec<Command>>; 2],
     workgroup_size: u32,
     system_count: u32,
+    node_count: u32,
     row_count: u32,
     curve_points: Vec<[f32; 4]>,
     meshes: Arc<MeshTables>,
@@ -81,6 +84,7 @@ pub struct GpuBackend {
     width: u32,
     height: u32,
     has_covers: bool,
+    has_planet: bool,
     /// Which pool holds the particles.
     current: usize,
     /// Whether newborns stand behind the living: between emit and advance.
@@ -192,6 +196,7 @@ impl GpuBackend {
             commands: Default::default(),
             workgroup_size,
             system_count: plan.system_count,
+            node_count: plan.system_count - plan.own_system_count,
             row_count: plan.row_count,
             curve_points: plan.curve_points.clone(),
             meshes: Arc::clone(&plan.meshes),
@@ -201,6 +206,7 @@ impl GpuBackend {
             width: plan.width,
             height: plan.height,
             has_covers: plan.uses.covers,
+            has_planet: plan.uses.planet,
             current: 0,
             newborns_present: false,
             ring: StatisticsRing::default(),
@@ -261,7 +267,7 @@ impl GpuBackend {
     /// The device fails.
     pub fn take_times(&mut self) -> Result<Vec<KernelTimes>, BackendError> {
         self.watched(|run| match &mut run.timer {
-            Some(timer) => timer.take(&run.gpu),
+            Some(timer) => timer.take(),
             None => Ok(Vec::new()),
         })
     }

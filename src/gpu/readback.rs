@@ -7,7 +7,7 @@ use super::GpuBackend;
 use super::device::GpuDevice;
 use super::memory::Memory;
 use crate::backend::BackendError;
-use crate::layout::{Boid, Cover, FLAME_STEPS, Flame, FlameDisc, FrameStats};
+use crate::layout::{Boid, Cover, FLAME_STEPS, Flame, FlameDisc, FrameStats, Node, SystemFrame};
 
 /// Lines in the device's ring; `wgsl/scan/survivors.wgsl` has the same.
 pub(super) const STATISTICS_LEN: u32 = 256;
@@ -69,6 +69,14 @@ impl GpuBackend {
         if buffer.starts_with("light_") {
             self.unpack_light()?;
         }
+        if buffer == "borne_systems" {
+            let stride = size_of::<SystemFrame>() / 4;
+            let all = self.memory.named("system_frames")?;
+            let bytes = u64::from(self.system_count) * size_of::<SystemFrame>() as u64;
+            let mut systems = words(&self.gpu, all, bytes)?;
+            let own = (self.system_count - self.node_count) as usize * stride;
+            return Ok(systems.split_off(own));
+        }
         let whole = self.memory.named(buffer)?;
         let pixels = u64::from(self.width) * u64::from(self.height);
         let records = match buffer {
@@ -83,11 +91,15 @@ impl GpuBackend {
             "boid_cells" => u64::from(self.boid_count),
             "cell_starts" => u64::from(self.cell_count) + 1,
             "deaths" => 2,
+            "nodes" => u64::from(self.node_count) * (size_of::<Node>() / 4) as u64,
+            "tree_counts" => 8,
             "image" => pixels,
             "covers" => self.cover_records()? * (size_of::<Cover>() / 4) as u64,
             "cover_counts" => 8,
             "cover_rg" | "cover_bt" if self.has_covers => pixels * 2,
             "cover_rg" | "cover_bt" => 0,
+            "planet_pixels" if self.has_planet => pixels * 4,
+            "planet_pixels" => 0,
             "light_low" | "light_high" => pixels * 3,
             _ => whole.size() / 4,
         };

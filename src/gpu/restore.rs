@@ -40,6 +40,11 @@ impl GpuBackend {
         let buffer = self.memory.named("counts")?;
         self.gpu.write(buffer, 0, bytemuck::bytes_of(&counts))?;
         self.gpu.queue.submit([]);
+        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+        for name in ["nodes", "tree_counts"] {
+            encoder.clear_buffer(self.memory.named(name)?, 0, None);
+        }
+        self.gpu.queue.submit([encoder.finish()]);
         self.newborns_present = false;
         self.ring = StatisticsRing::default();
         // Flames have no past: they are what the last frame makes of them.

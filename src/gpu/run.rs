@@ -32,6 +32,11 @@ impl GpuBackend {
         for (name, bytes) in [
             ("frame", bytemuck::bytes_of(&frame)),
             ("system_frames", bytemuck::cast_slice(&inputs.systems)),
+            ("planets", bytemuck::cast_slice(&inputs.planets)),
+            ("lamps", bytemuck::cast_slice(&inputs.lamps)),
+            ("poses", bytemuck::cast_slice(&inputs.poses)),
+            ("broods", bytemuck::cast_slice(&inputs.broods)),
+            ("row_spreads", bytemuck::cast_slice(&inputs.row_spreads)),
             ("bounds", bytemuck::cast_slice(&inputs.bounds)),
             ("winds", bytemuck::cast_slice(&inputs.winds)),
             ("layer_planes", bytemuck::cast_slice(&inputs.layer_planes)),

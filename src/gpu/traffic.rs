@@ -23,7 +23,7 @@ pub struct Load {
     pub pixels: u64,
     /// Pixels that some particle's light fell on.
     pub lit_pixels: u64,
-    /// Particles left to the kernel for those that cover many pixels.
+    /// Particles left to the kernel for all but small discs.
     pub large: u64,
     /// Particle systems.
     pub systems: u64,
@@ -79,6 +79,11 @@ const WORD: u64 = 4;
 const LIMB: u64 = 3 * WORD;
 
 impl Load {
+    /// Deaths.
+    fn died(&self) -> u64 {
+        self.total.saturating_sub(self.live)
+    }
+
     /// Words of the bits of those present.
     fn words(&self) -> u64 {
         self.total.div_ceil(32)
@@ -139,9 +144,14 @@ static TABLE: &[Line] = &[
     }),
     ("particles/emit", |load| (load.born, load.born * PARTICLE)),
     ("particles/cull", |load| {
-        // Who it is, in two words; where it is, if that matters.
-        let each = if load.uses.bounds { PARTICLE } else { 2 * WORD };
-        (load.total, load.total * each + load.words() * WORD)
+        // Who it is, in two words. They stand by age, so that of those who live on, the first of each
+        // word of bits tells for all; unless it matters where each is.
+        let read = if load.uses.bounds {
+            load.total * PARTICLE
+        } else {
+            (load.died() + load.words()) * 2 * WORD
+        };
+        (load.total, read + load.words() * WORD)
     }),
     ("scan/count_bits", |load| {
         let (sums, _) = load.sums();
@@ -277,6 +287,16 @@ pub fn traffic(kernel: &str, load: &Load) -> Option<Traffic> {
     let (_, of) = TABLE.iter().find(|(name, _)| *name == kernel)?;
     let (items, bytes) = of(load);
     Some(Traffic { items, bytes })
+}
+
+/// Bytes that the sort of so many pairs must move at least, all of its passes.
+pub fn sort_bytes(pairs: u64) -> u64 {
+    let load = Load {
+        covers: pairs,
+        ..Load::default()
+    };
+    let lines = TABLE.iter().filter(|(name, _)| name.starts_with("sort/"));
+    lines.map(|(_, of)| of(&load).1).sum()
 }
 
 /// What a stage works on, whoever runs it: what its kernel of the same basename does; of a stage

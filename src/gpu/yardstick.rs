@@ -28,12 +28,16 @@ pub struct Timed {
 pub struct Yardstick {
     name: &'static str,
     gpu: GpuDevice,
+    /// Copied before each run, untimed where the device has a clock.
+    before: Vec<(wgpu::Buffer, wgpu::Buffer)>,
     work: Work,
+    /// Passes of a run, one after another in one submission.
+    passes: u32,
     timer: Option<Timer>,
 }
 
 #[derive(Debug)]
-enum Work {
+pub(super) enum Work {
     Dispatches(Vec<Ready>),
     /// From, to, bytes.
     Copies(Vec<(wgpu::Buffer, wgpu::Buffer, u64)>),
@@ -42,7 +46,7 @@ enum Work {
 
 /// A dispatch, ready to encode.
 #[derive(Debug)]
-struct Ready {
+pub(super) struct Ready {
     pipeline: wgpu::ComputePipeline,
     group: wgpu::BindGroup,
     immediates: Vec<u32>,
@@ -79,7 +83,8 @@ impl Yardstick {
             let compiled = compiled(gpu, kernel, workgroup_size)?;
             let dispatches = memory.pages.iter().map(|page| {
                 let work = (invocations(page.records), workgroup_size);
-                ready(memory, &compiled, Some(page), &[page.records], work)
+                let named = |name: &str| memory.named(name, Some(page));
+                ready(gpu, &compiled, &named, &[page.records], work)
             });
             let work = Work::Dispatches(dispatches.collect::<Result<_, _>>()?);
             Ok(Self::new(gpu, name, work))
@@ -97,7 +102,8 @@ impl Yardstick {
                 let compiled = compiled(gpu, kernel, workgroup_size)?;
                 let size = compiled.compiled.workgroup_size[0];
                 let work = (invocations(memory.records), size);
-                ready(memory, &compiled, None, &[], work)
+                let named = |name: &str| memory.named(name, None);
+                ready(gpu, &compiled, &named, &[], work)
             });
             let work = Work::Dispatches(dispatches.collect::<Result<_, _>>()?);
             Ok(Self::new(gpu, "scan", work))
@@ -120,18 +126,34 @@ impl Yardstick {
             .watched(|| Ok(Self::new(&memory.gpu, "copy_buffer", work)))
     }
 
+    /// The same so many times in a run, 1 ..= 1,000, pass after pass; a run's time is that of one.
+    #[must_use]
+    pub fn repeated(self, passes: u32) -> Self {
+        Self {
+            passes: passes.clamp(1, 1000),
+            ..self
+        }
+    }
+
     /// A pass of the device's own rasteriser.
     pub(super) fn raster(gpu: &GpuDevice, name: &'static str, raster: Raster) -> Self {
         Self::new(gpu, name, Work::Raster(raster))
     }
 
-    fn new(gpu: &GpuDevice, name: &'static str, work: Work) -> Self {
+    /// The same, with copies from the first to the second of each before every run.
+    pub(super) fn after(self, before: Vec<(wgpu::Buffer, wgpu::Buffer)>) -> Self {
+        Self { before, ..self }
+    }
+
+    pub(super) fn new(gpu: &GpuDevice, name: &'static str, work: Work) -> Self {
         let timer = Timer::new(gpu)
             .filter(|timer| !matches!(work, Work::Copies(_)) || timer.times_between_passes());
         Self {
             name,
             gpu: gpu.clone(),
+            before: Vec::new(),
             work,
+            passes: 1,
             timer,
         }
     }
@@ -148,37 +170,42 @@ impl Yardstick {
     fn timed(&mut self) -> Result<Timed, BackendError> {
         let begun = Instant::now();
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+        for (from, to) in &self.before {
+            encoder.copy_buffer_to_buffer(from, 0, to, 0, from.size());
+        }
         let mut timed = self.timer.as_mut().map(Timer::frame);
-        match &self.work {
-            Work::Dispatches(dispatches) => {
-                let descriptor = match &mut timed {
-                    Some(timed) => timed.pass(self.name),
-                    None => wgpu::ComputePassDescriptor::default(),
-                };
-                let mut pass = encoder.begin_compute_pass(&descriptor);
-                for ready in dispatches {
-                    pass.set_pipeline(&ready.pipeline);
-                    pass.set_bind_group(0, &ready.group, &[]);
-                    if !ready.immediates.is_empty() {
-                        pass.set_immediates(0, bytemuck::cast_slice(&ready.immediates));
+        for _ in 0..self.passes {
+            match &self.work {
+                Work::Dispatches(dispatches) => {
+                    let descriptor = match &mut timed {
+                        Some(timed) => timed.pass(self.name),
+                        None => wgpu::ComputePassDescriptor::default(),
+                    };
+                    let mut pass = encoder.begin_compute_pass(&descriptor);
+                    for ready in dispatches {
+                        pass.set_pipeline(&ready.pipeline);
+                        pass.set_bind_group(0, &ready.group, &[]);
+                        if !ready.immediates.is_empty() {
+                            pass.set_immediates(0, bytemuck::cast_slice(&ready.immediates));
+                        }
+                        pass.dispatch_workgroups(ready.groups.0, ready.groups.1, 1);
                     }
-                    pass.dispatch_workgroups(ready.groups.0, ready.groups.1, 1);
                 }
-            }
-            Work::Copies(copies) => {
-                let copy = |encoder: &mut wgpu::CommandEncoder| {
-                    for (from, to, bytes) in copies {
-                        encoder.copy_buffer_to_buffer(from, 0, to, 0, *bytes);
+                Work::Copies(copies) => {
+                    let copy = |encoder: &mut wgpu::CommandEncoder| {
+                        for (from, to, bytes) in copies {
+                            encoder.copy_buffer_to_buffer(from, 0, to, 0, *bytes);
+                        }
+                    };
+                    match &mut timed {
+                        Some(timed) => timed.between_passes(self.name, &mut encoder, copy),
+                        None => copy(&mut encoder),
                     }
-                };
-                match &mut timed {
-                    Some(timed) => timed.between_passes(self.name, &mut encoder, copy),
-                    None => copy(&mut encoder),
                 }
-            }
-            Work::Raster(raster) => {
-                let stamps = timed.as_mut().and_then(|timed| timed.stamps(self.name));
-                raster.encode(&mut encoder, stamps);
+                Work::Raster(raster) => {
+                    let stamps = timed.as_mut().and_then(|timed| timed.stamps(self.name));
+                    raster.encode(&mut encoder, stamps);
+                }
             }
         }
         if let Some(timed) = timed {
@@ -188,18 +215,26 @@ impl Yardstick {
         self.gpu.wait()?;
         let wall_ms = begun.elapsed().as_secs_f64() * 1e3;
         let times = match &mut self.timer {
-            Some(timer) => timer.take(&self.gpu)?,
+            Some(timer) => timer.take()?,
             None => Vec::new(),
         };
-        let by_device = times.iter().flatten().next();
+        let by_device: Vec<f64> = times.iter().flatten().map(|(_, ms)| *ms).collect();
+        let all_ms = match by_device.is_empty() {
+            true => wall_ms,
+            false => by_device.iter().sum(),
+        };
         Ok(Timed {
-            ms: by_device.map_or(wall_ms, |(_, ms)| *ms),
-            by_device: by_device.is_some(),
+            ms: all_ms / f64::from(self.passes),
+            by_device: !by_device.is_empty(),
         })
     }
 }
 
-fn compiled(gpu: &GpuDevice, kernel: &str, workgroup_size: u32) -> Result<Kernel, BackendError> {
+pub(super) fn compiled(
+    gpu: &GpuDevice,
+    kernel: &str,
+    workgroup_size: u32,
+) -> Result<Kernel, BackendError> {
     let options = CompileOptions {
         workgroup_size,
         wide: gpu.is_wide(),
@@ -215,17 +250,17 @@ fn compiled(gpu: &GpuDevice, kernel: &str, workgroup_size: u32) -> Result<Kernel
     Ok(Kernel::unchecked_bindings(gpu, &compiled, form, false))
 }
 
-/// The dispatch of a kernel whose bindings are found in `memory` by their names.
-fn ready(
-    memory: &YardstickMemory,
+/// The dispatch of a kernel whose bindings are found by their names.
+pub(super) fn ready<'a>(
+    gpu: &GpuDevice,
     kernel: &Kernel,
-    page: Option<&Page>,
+    named: &dyn Fn(&str) -> Option<&'a wgpu::Buffer>,
     immediates: &[u32],
     (invocations, workgroup_size): (u32, u32),
 ) -> Result<Ready, BackendError> {
     let name = &kernel.compiled.name;
     let entries = kernel.compiled.bindings.iter().map(|binding| {
-        let buffer = memory.named(&binding.name, page).ok_or_else(|| {
+        let buffer = named(&binding.name).ok_or_else(|| {
             BackendError::Unsupported(format!("no buffer `{}` for `{name}` alone", binding.name))
         })?;
         Ok(wgpu::BindGroupEntry {
@@ -234,8 +269,7 @@ fn ready(
         })
     });
     let entries: Vec<_> = entries.collect::<Result<_, BackendError>>()?;
-    let device = &memory.gpu.device;
-    let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+    let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: Some(name),
         layout: &kernel.layout,
         entries: &entries,

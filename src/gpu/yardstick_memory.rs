@@ -104,7 +104,12 @@ impl YardstickMemory {
     }
 }
 
-fn buffer(gpu: &GpuDevice, label: &str, bytes: u64, more: wgpu::BufferUsages) -> wgpu::Buffer {
+pub(super) fn buffer(
+    gpu: &GpuDevice,
+    label: &str,
+    bytes: u64,
+    more: wgpu::BufferUsages,
+) -> wgpu::Buffer {
     gpu.device.create_buffer(&wgpu::BufferDescriptor {
         label: Some(label),
         size: bytes.next_multiple_of(16),
@@ -114,7 +119,7 @@ fn buffer(gpu: &GpuDevice, label: &str, bytes: u64, more: wgpu::BufferUsages) ->
 }
 
 /// Fills with random words from number `first` on: a copy of zeros can be quicker than one of data.
-fn fill(gpu: &GpuDevice, buffer: &wgpu::Buffer, first: u64) -> Result<(), BackendError> {
+pub(super) fn fill(gpu: &GpuDevice, buffer: &wgpu::Buffer, first: u64) -> Result<(), BackendError> {
     let words = buffer.size() / 4;
     for start in (0..words).step_by(CHUNK_WORDS as usize) {
         let end = (start + u64::from(CHUNK_WORDS)).min(words);

@@ -81,7 +81,7 @@ pub struct FlockFrame {
     pub acceleration: [f32; 4],
     /// The edges' least corner; the factor of velocities there.
     pub edges_min: [f32; 4],
-    /// The edges' greatest corner; w unused.
+    /// The edges' greatest corner; how far a boid sees, for statistics only.
     pub edges_max: [f32; 4],
     /// Extents of the torus, 0 along axes that have no wrap; w unused.
     pub torus: [f32; 4],

@@ -25,9 +25,8 @@ impl Builder {
     /// Makes room for what is known to come, as far as it is allowed to.
     pub(super) fn reserve(&mut self, vertices: usize) -> Result<(), MeshError> {
         let room = vertices.min(MOST_VERTICES);
-        self.positions
-            .try_reserve(room)
-            .map_err(|_| out_of_memory(room))
+        let done = self.positions.try_reserve(room);
+        done.map_err(|_| MeshError::no_memory(room as u64, "vertices"))
     }
 
     /// Vertices up to now.
@@ -35,16 +34,16 @@ impl Builder {
         self.positions.len()
     }
 
-    /// Adds a vertex, which stands on that line; 0 is none.
-    pub(super) fn vertex(&mut self, place: [f32; 3], line: usize) -> Result<(), MeshError> {
+    /// Adds a vertex.
+    pub(super) fn vertex(&mut self, place: [f32; 3]) -> Result<(), MeshError> {
         let is_right = |x: &f32| x.abs() <= MOST_COORDINATE;
         if let Some(x) = place.iter().find(|x| !is_right(x)) {
             let help = "a number from -1_000_000 to 1_000_000";
-            return Err(MeshError::new(format!("a coordinate is {x}"), help).at(line));
+            return Err(MeshError::new(format!("a coordinate is {x}"), help));
         }
         if self.positions.len() == MOST_VERTICES {
             let what = format!("there are more than {MOST_VERTICES} vertices");
-            return Err(MeshError::new(what, "a smaller mesh").at(line));
+            return Err(MeshError::new(what, "a smaller mesh"));
         }
         if self.positions.len() == self.positions.capacity() {
             let more = self.positions.len().max(1024);
@@ -76,21 +75,25 @@ impl Builder {
     }
 
     /// Adds a face of vertices that are there, as a fan around its first corner.
-    pub(super) fn polygon(&mut self, corners: &[u32], line: usize) -> Result<(), MeshError> {
+    pub(super) fn polygon(&mut self, corners: &[u32]) -> Result<(), MeshError> {
         let [first, rest @ ..] = corners else {
-            return Err(too_few(0, line));
+            return Err(too_few(0));
         };
         if corners.len() < 3 {
-            return Err(too_few(corners.len(), line));
+            return Err(too_few(corners.len()));
         }
         let count = self.positions.len();
         if let Some(at) = corners.iter().find(|at| **at as usize >= count) {
             let what = format!("a face has the vertex {at}, counted from 0, of {count}");
-            return Err(MeshError::new(what, "a vertex that the file has").at(line));
+            return Err(MeshError::new(what, "a vertex that the file has"));
         }
-        if self.triangles.len() + corners.len() - 2 > MOST_TRIANGLES {
-            return Err(too_many().at(line));
+        let more = corners.len() - 2;
+        if self.triangles.len() + more > MOST_TRIANGLES {
+            return Err(too_many());
         }
+        let room = self.triangles.try_reserve(more);
+        room.and_then(|()| self.face_parts.try_reserve(more))
+            .map_err(|_| MeshError::no_memory(more as u64, "triangles"))?;
         if self.parts.is_empty() {
             self.part("", "")?;
         }
@@ -124,15 +127,21 @@ impl Builder {
             .retain(|_| kept.next().is_some_and(|it| *it));
         let left = self.triangles.len();
         if left == 0 {
-            let what = format!("none of its {all} faces has an area");
+            let what = match all {
+                1 => "its only face has no area".to_owned(),
+                all => format!("none of its {all} faces has an area"),
+            };
             return Err(MeshError::new(what, "corners that are not on one line"));
         }
         let mut notes = Vec::new();
         if left < all {
             let dropped = all - left;
-            notes.push(format!(
-                "{dropped} of {all} triangles have no area and are left out"
-            ));
+            let verbs = if dropped == 1 {
+                "has no area and is"
+            } else {
+                "have no area and are"
+            };
+            notes.push(format!("{dropped} of {all} triangles {verbs} left out"));
         }
         let sphere = sphere_around(positions, &self.triangles);
         let digest = digest(&self);
@@ -155,14 +164,12 @@ pub(super) fn too_many() -> MeshError {
     MeshError::new(what, "a mesh with fewer triangles")
 }
 
-fn too_few(corners: usize, line: usize) -> MeshError {
-    let what = format!("a face has {corners} corners");
-    MeshError::new(what, "at least 3").at(line)
-}
-
-fn out_of_memory(vertices: usize) -> MeshError {
-    let what = format!("there is no memory for {vertices} vertices");
-    MeshError::new(what, "a smaller mesh")
+fn too_few(corners: usize) -> MeshError {
+    let what = match corners {
+        1 => "a face has 1 corner".to_owned(),
+        _ => format!("a face has {corners} corners"),
+    };
+    MeshError::new(what, "at least 3")
 }
 
 /// Twice the triangle's area times its outward unit normal.

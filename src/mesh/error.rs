@@ -9,26 +9,60 @@ pub struct MeshError {
     pub what: String,
     /// Line of the file, from 1; `None` where the format has no lines, or none is at fault.
     pub line: Option<usize>,
+    /// Byte of that line, from 1; `None` if the whole line is meant.
+    pub column: Option<usize>,
+    /// Where it is in a file without lines: `byte 120`, or keys of glTF's JSON, `accessors[3]`.
+    pub within: Option<String>,
     /// What would be right.
     pub help: String,
+    /// Whether memory is out, so that the file may be right.
+    pub(crate) is_out_of_memory: bool,
 }
 
 impl MeshError {
     /// Of the whole file.
-    pub(crate) fn new(what: impl Into<String>, help: impl Into<String>) -> Self {
+    pub fn new(what: impl Into<String>, help: impl Into<String>) -> Self {
         Self {
             what: what.into(),
             line: None,
+            column: None,
+            within: None,
             help: help.into(),
+            is_out_of_memory: false,
         }
     }
 
-    /// Of that line; 0 is none.
+    /// Of that line, unless it has one; 0 is none.
     pub(super) fn at(self, line: usize) -> Self {
         Self {
-            line: (line > 0).then_some(line),
+            line: self.line.or((line > 0).then_some(line)),
             ..self
         }
+    }
+
+    /// Of that byte of a line, both from 1.
+    pub(super) fn at_column(self, line: usize, column: usize) -> Self {
+        Self {
+            line: Some(line),
+            column: Some(column),
+            ..self
+        }
+    }
+
+    /// Of that part of the file, unless it has a place already.
+    pub(super) fn within(self, place: impl FnOnce() -> String) -> Self {
+        match (self.line, &self.within) {
+            (None, None) => Self {
+                within: Some(place()),
+                ..self
+            },
+            _ => self,
+        }
+    }
+
+    /// Of that byte of the file, from 0, unless it has a place already.
+    pub(super) fn at_byte(self, byte: usize) -> Self {
+        self.within(|| format!("byte {byte}"))
     }
 
     pub(crate) fn too_long() -> Self {
@@ -37,6 +71,15 @@ impl MeshError {
             format!("the file is larger than {most} MiB"),
             "a mesh with fewer triangles, or in a binary format",
         )
+    }
+
+    /// No memory is left for `count` of these.
+    pub(crate) fn no_memory(count: u64, of_what: &str) -> Self {
+        let what = format!("there is no memory for {count} {of_what}");
+        Self {
+            is_out_of_memory: true,
+            ..Self::new(what, "a smaller mesh, or a machine with more memory")
+        }
     }
 
     pub(super) fn unknown_ending() -> Self {
@@ -51,7 +94,14 @@ impl MeshError {
 impl std::fmt::Display for MeshError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         if let Some(line) = self.line {
-            write!(f, "line {line}: ")?;
+            write!(f, "line {line}")?;
+            if let Some(column) = self.column {
+                write!(f, ", column {column}")?;
+            }
+            f.write_str(": ")?;
+        }
+        if let Some(place) = &self.within {
+            write!(f, "{place}: ")?;
         }
         write!(f, "{}; {}", self.what, self.help)
     }

@@ -16,6 +16,9 @@ const MOST_OBJECTS: usize = 200_000;
 /// Items of lists in the JSON at most.
 const MOST_ITEMS: usize = 4_000_000;
 
+/// Primitives that nodes may show, all told: those that add nothing take time, too.
+const MOST_SHOWN: usize = 1_000_000;
+
 /// Rows of an affine transform.
 type Rows = [[f64; 4]; 3];
 
@@ -33,21 +36,23 @@ pub(super) fn read_binary(
 ) -> Result<Builder, MeshError> {
     let wrong = |what: &str| MeshError::new(what, "a GLB file, binary glTF of version 2");
     let Some(rest) = bytes.strip_prefix(b"glTF") else {
-        return Err(wrong("the file does not begin with `glTF`"));
+        return Err(wrong("the file does not begin with `glTF`").at_byte(0));
     };
     let word = |bytes: &[u8]| bytes.first_chunk().map(|it| u32::from_le_bytes(*it));
     let version = word(rest).ok_or_else(|| wrong("the file ends in its header"))?;
     if version != 2 {
-        return Err(wrong(&format!("it is of version {version}")));
+        return Err(wrong(&format!("it is of version {version}")).at_byte(4));
     }
     let mut rest = rest.get(8..).unwrap_or_default();
+    let byte_of = |rest: &[u8]| bytes.len() - rest.len();
     let (mut json, mut binary) = (None, None);
     while !rest.is_empty() {
         let length = word(rest).map(|length| length as usize);
         let kind = rest.get(4..8);
         let chunk = length.and_then(|length| rest.get(8..)?.get(..length));
         let (Some(kind), Some(chunk)) = (kind, chunk) else {
-            return Err(wrong("the file ends in the middle of a chunk"));
+            let error = wrong("the file ends in the middle of a chunk");
+            return Err(error.at_byte(byte_of(rest)));
         };
         match kind {
             b"JSON" if json.is_none() => json = Some(chunk),
@@ -57,7 +62,16 @@ pub(super) fn read_binary(
         rest = &rest[8 + chunk.len()..];
     }
     let json = json.ok_or_else(|| wrong("it has no chunk of JSON"))?;
-    read(json, binary, fetch, notes)
+    read(json, binary, fetch, notes).map_err(|error| match (error.line, error.column) {
+        // Lines of a part of the file are no lines of the file.
+        (Some(line), Some(column)) => MeshError {
+            line: None,
+            column: None,
+            within: Some(format!("line {line}, column {column} of its JSON")),
+            ..error
+        },
+        _ => error,
+    })
 }
 
 /// Reads glTF's JSON; `binary` is the chunk of bytes beside it.
@@ -70,7 +84,7 @@ pub(super) fn read(
     let document = document(json)?;
     let mut buffers = Buffers::new(binary, MOST_BYTES);
     let mut built = Builder::default();
-    let mut skipped = 0;
+    let (mut shown, mut skipped) = (0, 0);
     // A node may have one parent, so each is met once; one met again is in a circle.
     let mut met = vec![false; document.nodes().len()];
     let roots: Vec<Node> = match document.default_scene().or(document.scenes().next()) {
@@ -82,12 +96,18 @@ pub(super) fn read(
     waiting.reverse();
     while let Some((node, world_from_parent)) = waiting.pop() {
         if std::mem::replace(&mut met[node.index()], true) {
-            let what = format!("node {} has more than one parent", node.index());
-            return Err(MeshError::new(what, "a tree of nodes"));
+            let error = MeshError::new("the node has more than one parent", "a tree of nodes");
+            return Err(error.within(|| format!("nodes[{}]", node.index())));
         }
         let world_from_node = after(&world_from_parent, &rows_of(&node));
         if let Some(mesh) = node.mesh() {
             for primitive in mesh.primitives() {
+                shown += 1;
+                if shown > MOST_SHOWN {
+                    let what = format!("its nodes show more than {MOST_SHOWN} primitives");
+                    let error = MeshError::new(what, "fewer nodes, or fewer primitives a mesh");
+                    return Err(error.within(|| format!("nodes[{}]", node.index())));
+                }
                 if !matches!(
                     primitive.mode(),
                     Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan
@@ -98,13 +118,16 @@ pub(super) fn read(
                 let group = node.name().or(mesh.name()).unwrap_or_default();
                 let material = primitive.material();
                 built.part(group, material.name().unwrap_or_default())?;
-                primitive_of(
+                let done = primitive_of(
                     &primitive,
                     &world_from_node,
                     &mut buffers,
                     fetch,
                     &mut built,
-                )?;
+                );
+                let place =
+                    || format!("meshes[{}].primitives[{}]", mesh.index(), primitive.index());
+                done.map_err(|error| error.within(place))?;
             }
         }
         let children: Vec<Node> = node.children().collect();
@@ -112,7 +135,10 @@ pub(super) fn read(
         waiting.extend(children.map(|child| (child, world_from_node)));
     }
     if skipped > 0 {
-        notes.push(format!("{skipped} sets of points or lines are left out"));
+        notes.push(match skipped {
+            1 => "1 set of points or lines is left out".to_owned(),
+            _ => format!("{skipped} sets of points or lines are left out"),
+        });
     }
     Ok(built)
 }
@@ -130,19 +156,25 @@ fn document(json: &[u8]) -> Result<Document, MeshError> {
         let why = whole.split(" at line ").next().unwrap_or_default();
         let why: String = why.chars().take(200).collect();
         MeshError::new(
-            format!("it is not glTF's JSON, at column {column}: {why}"),
+            format!("it is not glTF's JSON: {why}"),
             "glTF 2.0 as modelling programs write it",
         )
-        .at(line)
+        .at_column(line.max(1), column.max(1))
     })?;
     // The library looks these up before it has found that they are there.
     let positions = Checked::Valid(Semantic::Positions);
-    for primitive in root.meshes.iter().flat_map(|mesh| &mesh.primitives) {
+    let primitives = root.meshes.iter().enumerate();
+    let primitives = primitives.flat_map(|(mesh, of)| {
+        let numbered = of.primitives.iter().enumerate();
+        numbered.map(move |(at, primitive)| (mesh, at, primitive))
+    });
+    for (mesh, at, primitive) in primitives {
         let accessor = primitive.attributes.get(&positions);
         if let Some(index) = accessor.filter(|it| it.value() >= root.accessors.len()) {
             let (index, count) = (index.value(), root.accessors.len());
             let what = format!("POSITION is accessor {index}, counted from 0, of {count}");
-            return Err(MeshError::new(what, "an accessor that is there"));
+            let error = MeshError::new(what, "an accessor that is there");
+            return Err(error.within(|| format!("meshes[{mesh}].primitives[{at}]")));
         }
     }
     Document::from_json(root).map_err(|error| match error {
@@ -172,13 +204,21 @@ fn primitive_of(
     let first = built.vertex_count();
     let count = positions.count();
     built.reserve(count)?;
-    for place in places(&positions, buffers, fetch)? {
-        built.vertex(moved(world_from_node, place), 0)?;
+    for (number, place) in places(&positions, buffers, fetch)?.enumerate() {
+        let done = built.vertex(moved(world_from_node, place));
+        let item = || format!("accessors[{}], item {number}", positions.index());
+        done.map_err(|error| error.within(item))?;
     }
     let corners = match primitive.indices() {
         Some(accessor) => indices(&accessor, buffers, fetch)?,
-        // As many as vertices that are there.
-        None => (0..count as u32).collect(),
+        None => {
+            let mut all = Vec::new();
+            let reserved = all.try_reserve_exact(count);
+            reserved.map_err(|_| MeshError::no_memory(count as u64, "indices"))?;
+            // As many as vertices that are there.
+            all.extend(0..count as u32);
+            all
+        }
     };
     if let Some(at) = corners.iter().find(|at| **at as usize >= count) {
         let what = format!("a triangle has the vertex {at}, counted from 0, of {count}");
@@ -188,7 +228,7 @@ fn primitive_of(
     let is_mirrored = determinant(world_from_node) < 0.0;
     let mut triangle = |[a, b, c]: [u32; 3]| {
         let corners = if is_mirrored { [a, c, b] } else { [a, b, c] };
-        built.polygon(&corners.map(|at| at + first as u32), 0)
+        built.polygon(&corners.map(|at| at + first as u32))
     };
     match primitive.mode() {
         Mode::TriangleStrip => {

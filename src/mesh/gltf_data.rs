@@ -32,18 +32,17 @@ impl<'a> Buffers<'a> {
     fn view(&mut self, view: &gltf::buffer::View, fetch: &mut Fetch) -> Result<&[u8], MeshError> {
         let buffer = view.buffer();
         let index = buffer.index();
+        let place = || format!("buffers[{index}]");
         let bytes = match buffer.source() {
             Source::Bin => self.binary.ok_or_else(|| {
                 let what = format!("buffer {index} has no uri");
-                MeshError::new(what, "one, or a GLB with a chunk of bytes")
+                MeshError::new(what, "one, or a GLB with a chunk of bytes").within(place)
             })?,
             Source::Uri(uri) => {
                 if !self.fetched.contains_key(&index) {
-                    let bytes = fetched(uri, fetch)?;
-                    self.left = self
-                        .left
-                        .checked_sub(bytes.len() as u64)
-                        .ok_or_else(MeshError::too_long)?;
+                    let bytes = fetched(uri, fetch).map_err(|error| error.within(place))?;
+                    let left = self.left.checked_sub(bytes.len() as u64);
+                    self.left = left.ok_or_else(|| MeshError::too_long().within(place))?;
                     self.fetched.insert(index, bytes);
                 }
                 &self.fetched[&index]
@@ -58,7 +57,8 @@ impl<'a> Buffers<'a> {
                 view.index(),
                 bytes.len()
             );
-            MeshError::new(what, "views within their buffers")
+            let place = || format!("bufferViews[{}]", view.index());
+            MeshError::new(what, "views within their buffers").within(place)
         })
     }
 }
@@ -73,11 +73,17 @@ fn fetched(uri: &str, fetch: &mut Fetch) -> Result<Vec<u8>, MeshError> {
         }
         return fetch(&unescaped(uri));
     };
-    let encoded = data.split_once(";base64,").map(|(_, encoded)| encoded);
-    encoded.and_then(decoded).ok_or_else(|| {
+    let wrong = || {
         let what = "a buffer's `data:` uri is no base64";
         MeshError::new(what, "`data:application/octet-stream;base64,…`")
-    })
+    };
+    let encoded = data.split_once(";base64,").ok_or_else(wrong)?.1;
+    let mut bytes = Vec::new();
+    let room = encoded.len() / 4 * 3 + 3;
+    let reserved = bytes.try_reserve_exact(room);
+    reserved.map_err(|_| MeshError::no_memory(room as u64, "bytes of a buffer"))?;
+    decode(encoded, &mut bytes).ok_or_else(wrong)?;
+    Ok(bytes)
 }
 
 /// A path whose spaces and other characters stand as %20 and so on.
@@ -98,8 +104,8 @@ fn unescaped(uri: &str) -> String {
     String::from_utf8_lossy(&bytes).into_owned()
 }
 
-/// Base64 (RFC 4648, section 4); `None` where it is none.
-fn decoded(text: &str) -> Option<Vec<u8>> {
+/// Appends what base64 stands for (RFC 4648, section 4); `None` where it is none.
+fn decode(text: &str, bytes: &mut Vec<u8>) -> Option<()> {
     let text = text.trim_end_matches('=').as_bytes();
     let value = |digit: u8| {
         Some(u32::from(match digit {
@@ -111,7 +117,6 @@ fn decoded(text: &str) -> Option<Vec<u8>> {
             _ => return None,
         }))
     };
-    let mut bytes = Vec::with_capacity(text.len() / 4 * 3 + 3);
     for four in text.chunks(4) {
         let mut word = 0;
         for digit in four {
@@ -124,7 +129,7 @@ fn decoded(text: &str) -> Option<Vec<u8>> {
             _ => return None,
         }
     }
-    Some(bytes)
+    Some(())
 }
 
 /// The items of an accessor, each of `size` bytes.
@@ -135,7 +140,10 @@ fn items<'a>(
     fetch: &mut Fetch,
 ) -> Result<impl Iterator<Item = &'a [u8]>, MeshError> {
     let index = accessor.index();
-    let refuse = |why: &str, help: &str| MeshError::new(format!("accessor {index} {why}"), help);
+    let refuse = |why: &str, help: &str| {
+        let error = MeshError::new(format!("accessor {index} {why}"), help);
+        error.within(|| format!("accessors[{index}]"))
+    };
     if accessor.sparse().is_some() {
         return Err(refuse(
             "is sparse",
@@ -174,7 +182,8 @@ pub(super) fn places(
     let form = (accessor.data_type(), accessor.dimensions());
     if form != (DataType::F32, Dimensions::Vec3) {
         let what = format!("accessor {} of positions is of {form:?}", accessor.index());
-        return Err(MeshError::new(what, "VEC3 of FLOAT"));
+        let place = || format!("accessors[{}]", accessor.index());
+        return Err(MeshError::new(what, "VEC3 of FLOAT").within(place));
     }
     let number = |bytes: &[u8], at: usize| {
         let four = bytes.get(4 * at..).and_then(|it| it.first_chunk());
@@ -190,21 +199,28 @@ pub(super) fn indices(
     buffers: &mut Buffers,
     fetch: &mut Fetch,
 ) -> Result<Vec<u32>, MeshError> {
+    let place = || format!("accessors[{}]", accessor.index());
     let size = match (accessor.data_type(), accessor.dimensions()) {
         (DataType::U8, Dimensions::Scalar) => 1,
         (DataType::U16, Dimensions::Scalar) => 2,
         (DataType::U32, Dimensions::Scalar) => 4,
         form => {
             let what = format!("accessor {} of indices is of {form:?}", accessor.index());
-            return Err(MeshError::new(what, "SCALAR of an unsigned type"));
+            return Err(MeshError::new(what, "SCALAR of an unsigned type").within(place));
         }
     };
     if accessor.count() > 3 * MOST_TRIANGLES {
-        return Err(too_many());
+        return Err(too_many().within(place));
     }
     let number = |item: &[u8]| {
         let low_first = item.iter().rev();
         low_first.fold(0, |sum, byte| sum << 8 | u32::from(*byte))
     };
-    Ok(items(accessor, size, buffers, fetch)?.map(number).collect())
+    let mut indices = Vec::new();
+    // As many as there are bytes for, once the items are found.
+    let items = items(accessor, size, buffers, fetch)?;
+    let reserved = indices.try_reserve_exact(accessor.count());
+    reserved.map_err(|_| MeshError::no_memory(accessor.count() as u64, "indices"))?;
+    indices.extend(items.map(number));
+    Ok(indices)
 }

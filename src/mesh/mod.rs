@@ -19,11 +19,13 @@ use std::path::Path;
 pub use error::MeshError;
 pub use shapes::{BUILTIN, builtin, cube, cylinder, plane, sphere, torus};
 
-/// Bytes of a mesh file at most, and of all buffers of a glTF together.
+/// Bytes of a mesh file at most, of all buffers of a glTF together, and of all files that a scene
+/// names together.
 pub const MOST_BYTES: u64 = 256 << 20;
 
-/// Triangles of a mesh at most.
-pub const MOST_TRIANGLES: usize = 4_000_000;
+/// Triangles of a mesh at most, and of all meshes of a scene together: as many as one binding of
+/// 128 MiB holds at 48 bytes each, which every adapter has.
+pub const MOST_TRIANGLES: usize = (128 << 20) / 48;
 
 /// Vertices of a mesh at most: as many as that many triangles can have.
 pub const MOST_VERTICES: usize = 3 * MOST_TRIANGLES;
@@ -74,6 +76,8 @@ impl Mesh {
         }
         let ending = Path::new(name).extension().unwrap_or_default();
         let ending = ending.to_string_lossy().to_lowercase();
+        // Some programs begin texts with a byte order mark; no binary format begins so.
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         let mut notes = Vec::new();
         let built = match ending.as_str() {
             "obj" => obj::read(bytes)?,
@@ -136,6 +140,14 @@ impl Mesh {
     /// Twice the area of a triangle times its outward unit normal; `face` as in [`Mesh::corners`].
     pub fn doubled_area(&self, face: usize) -> [f64; 3] {
         build::doubled_area(self.corners(face))
+    }
+
+    /// Bytes of memory that it takes.
+    pub(crate) fn memory_bytes(&self) -> u64 {
+        let names = self.parts.iter();
+        let names = names.map(|part| size_of::<Part>() + part.group.len() + part.material.len());
+        let places = self.positions.len() * 12 + self.triangles.len() * 16;
+        (places + names.sum::<usize>()) as u64
     }
 
     /// The area of all triangles together.

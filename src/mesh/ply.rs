@@ -15,8 +15,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<Builder, MeshError> {
     let mut numbers = Numbers {
         rest: &bytes[header.body..],
         line: &[],
+        line_bytes: 0,
         number: header.lines,
         format: header.format,
+        whole: bytes.len(),
+        record: header.body,
+        last: header.body,
     };
     for element in &header.elements {
         if element.properties.is_empty() {
@@ -30,7 +34,11 @@ pub(super) fn read(bytes: &[u8]) -> Result<Builder, MeshError> {
                 "the header names {count} records of `{}`, at least {least} bytes, and {left} follow",
                 element.name
             );
-            return Err(MeshError::new(what, "a whole file"));
+            let error = MeshError::new(what, "a whole file");
+            return Err(match header.format {
+                Format::Ascii => error,
+                _ => error.at_byte(numbers.byte()),
+            });
         }
         match element.name.as_str() {
             "vertex" => vertices(element, &mut numbers, &mut built)?,
@@ -76,7 +84,8 @@ fn vertices(
                 None => numbers.pass(property)?,
             }
         }
-        built.vertex(place, numbers.line_number())?;
+        let done = built.vertex(place);
+        done.map_err(|error| numbers.of_record(error))?;
     }
     Ok(())
 }
@@ -98,9 +107,11 @@ fn faces(element: &Element, numbers: &mut Numbers, built: &mut Builder) -> Resul
             }
             let count = numbers.length(property)?;
             if count > MOST_TRIANGLES as u64 + 2 {
-                return Err(too_many().at(numbers.line_number()));
+                return Err(numbers.of_last(too_many()));
             }
             corners.clear();
+            let reserved = corners.try_reserve(count as usize);
+            reserved.map_err(|_| MeshError::no_memory(count, "corners of a face"))?;
             for _ in 0..count {
                 let number = numbers.next(property.kind)?;
                 let vertices = built.vertex_count();
@@ -108,11 +119,12 @@ fn faces(element: &Element, numbers: &mut Numbers, built: &mut Builder) -> Resul
                     let what =
                         format!("a face has the vertex {number}, counted from 0, of {vertices}");
                     let help = "vertices that the file has, before the faces";
-                    return Err(MeshError::new(what, help).at(numbers.line_number()));
+                    return Err(numbers.of_last(MeshError::new(what, help)));
                 }
                 corners.push(number as u32);
             }
-            built.polygon(&corners, numbers.line_number())?;
+            let done = built.polygon(&corners);
+            done.map_err(|error| numbers.of_record(error))?;
         }
     }
     Ok(())
@@ -123,24 +135,36 @@ struct Numbers<'a> {
     rest: &'a [u8],
     /// What is left of the record's line.
     line: &'a [u8],
+    /// Bytes of that line.
+    line_bytes: usize,
     /// Of the line.
     number: usize,
     format: Format,
+    /// Bytes of the file.
+    whole: usize,
+    /// Byte of the file that the record begins at.
+    record: usize,
+    /// Byte of the file that the last number begins at.
+    last: usize,
 }
 
 impl<'a> Numbers<'a> {
     /// Begins a record: in text, a line that is not empty.
     fn begin(&mut self) -> Result<(), MeshError> {
+        self.record = self.byte();
         if self.format != Format::Ascii {
             return Ok(());
         }
         loop {
             if self.rest.is_empty() {
-                return Err(MeshError::new("the file ends too early", "a whole file"));
+                let error = MeshError::new("the file ends too early", "a whole file");
+                return Err(error.at(self.number));
             }
+            self.record = self.byte();
             let end = self.rest.iter().position(|byte| *byte == b'\n');
             let end = end.unwrap_or(self.rest.len());
             (self.line, self.rest) = self.rest.split_at(end);
+            self.line_bytes = end;
             self.rest = self.rest.get(1..).unwrap_or_default();
             self.number += 1;
             if !self.line.trim_ascii().is_empty() {
@@ -149,11 +173,24 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// Of the record; 0 where there are no lines.
-    fn line_number(&self) -> usize {
+    /// The byte of the file that follows.
+    fn byte(&self) -> usize {
+        self.whole - self.rest.len()
+    }
+
+    /// The error, of the record.
+    fn of_record(&self, error: MeshError) -> MeshError {
         match self.format {
-            Format::Ascii => self.number,
-            _ => 0,
+            Format::Ascii => error.at(self.number),
+            _ => error.at_byte(self.record),
+        }
+    }
+
+    /// The error, of the number that was read last.
+    fn of_last(&self, error: MeshError) -> MeshError {
+        match self.format {
+            Format::Ascii => error.at_column(self.number, self.last - self.record + 1),
+            _ => error.at_byte(self.last),
         }
     }
 
@@ -167,25 +204,29 @@ impl<'a> Numbers<'a> {
 
     fn word(&mut self) -> Result<f64, MeshError> {
         let start = self.line.trim_ascii_start();
+        // What is left of the line ends where the rest of the file begins, but for its end.
+        let end_of_line = self.record + self.line_bytes;
+        self.last = end_of_line - start.len();
         let end = start.iter().position(u8::is_ascii_whitespace);
         let (word, line) = start.split_at(end.unwrap_or(start.len()));
         self.line = line;
         if word.is_empty() {
             let what = "the line has fewer numbers than the header says";
-            return Err(MeshError::new(what, "a number for each property").at(self.number));
+            return Err(self.of_record(MeshError::new(what, "a number for each property")));
         }
         let number = std::str::from_utf8(word)
             .ok()
             .and_then(|it| it.parse().ok());
         number.ok_or_else(|| {
             let word = String::from_utf8_lossy(&word[..word.len().min(20)]);
-            MeshError::new(format!("`{word}` is no number"), "a number").at(self.number)
+            self.of_last(MeshError::new(format!("`{word}` is no number"), "a number"))
         })
     }
 
     fn binary(&mut self, kind: Scalar) -> Result<f64, MeshError> {
+        self.last = self.byte();
         let Some((bytes, rest)) = self.rest.split_at_checked(kind.size()) else {
-            return Err(MeshError::new("the file ends too early", "a whole file"));
+            return Err(self.of_last(MeshError::new("the file ends too early", "a whole file")));
         };
         self.rest = rest;
         let mut low_first = [0; 8];
@@ -218,7 +259,7 @@ impl<'a> Numbers<'a> {
             return Ok(length as u64);
         }
         let what = format!("a list has {length} items, and {left} bytes are left for them");
-        Err(MeshError::new(what, "a list as long as it says").at(self.line_number()))
+        Err(self.of_last(MeshError::new(what, "a list as long as it says")))
     }
 
     /// Passes over a property.

@@ -36,7 +36,7 @@ pub fn cube(edge: f32) -> Result<Mesh, MeshError> {
     let mut built = Builder::default();
     for corner in 0..8 {
         let side = |bit: u32| if corner >> bit & 1 == 1 { half } else { -half };
-        built.vertex([side(0), side(1), side(2)], 0)?;
+        built.vertex([side(0), side(1), side(2)])?;
     }
     for (part, corners) in [
         ("-x", [0, 4, 6, 2]),
@@ -47,7 +47,7 @@ pub fn cube(edge: f32) -> Result<Mesh, MeshError> {
         ("+z", [4, 5, 7, 6]),
     ] {
         built.part(part, "")?;
-        built.polygon(&corners, 0)?;
+        built.polygon(&corners)?;
     }
     built.finish("cube")
 }
@@ -61,9 +61,9 @@ pub fn plane(length: f32, width: f32) -> Result<Mesh, MeshError> {
     let (x, y) = (0.5 * length, 0.5 * width);
     let mut built = Builder::default();
     for (x, y) in [(-x, -y), (x, -y), (x, y), (-x, y)] {
-        built.vertex([x, y, 0.0], 0)?;
+        built.vertex([x, y, 0.0])?;
     }
-    built.polygon(&[0, 1, 2, 3], 0)?;
+    built.polygon(&[0, 1, 2, 3])?;
     built.finish("plane")
 }
 
@@ -78,12 +78,12 @@ pub fn cylinder(radius: f32, height: f32, sides: u32) -> Result<Mesh, MeshError>
     within("sides", sides, 3..=10_000)?;
     let mut built = Builder::default();
     for z in [-0.5 * height, 0.5 * height] {
-        built.vertex([0.0, 0.0, z], 0)?;
+        built.vertex([0.0, 0.0, z])?;
     }
     for side in 0..sides {
         let (x, y) = around(side, sides, radius);
-        built.vertex([x, y, -0.5 * height], 0)?;
-        built.vertex([x, y, 0.5 * height], 0)?;
+        built.vertex([x, y, -0.5 * height])?;
+        built.vertex([x, y, 0.5 * height])?;
     }
     let corners = |side: u32| {
         let next = (side + 1) % sides;
@@ -91,15 +91,15 @@ pub fn cylinder(radius: f32, height: f32, sides: u32) -> Result<Mesh, MeshError>
     };
     built.part("side", "")?;
     for side in 0..sides {
-        built.polygon(&corners(side), 0)?;
+        built.polygon(&corners(side))?;
     }
     built.part("bottom", "")?;
     for [low, next_low, ..] in (0..sides).map(corners) {
-        built.polygon(&[0, next_low, low], 0)?;
+        built.polygon(&[0, next_low, low])?;
     }
     built.part("top", "")?;
     for [.., next_high, high] in (0..sides).map(corners) {
-        built.polygon(&[1, high, next_high], 0)?;
+        built.polygon(&[1, high, next_high])?;
     }
     built.finish("cylinder")
 }
@@ -154,10 +154,10 @@ pub fn sphere(radius: f32, subdivisions: u32) -> Result<Mesh, MeshError> {
     }
     let mut built = Builder::default();
     for place in places {
-        built.vertex(place.map(|x| (x * f64::from(radius)) as f32), 0)?;
+        built.vertex(place.map(|x| (x * f64::from(radius)) as f32))?;
     }
     for face in faces {
-        built.polygon(&face.map(|at| at as u32), 0)?;
+        built.polygon(&face.map(|at| at as u32))?;
     }
     built.finish("sphere")
 }
@@ -182,7 +182,7 @@ pub fn torus(radius: f32, tube_radius: f32, segments: u32, sides: u32) -> Result
         for side in 0..sides {
             let (out, z) = around(side, sides, tube_radius);
             let (x, y) = around(segment, segments, radius + out);
-            built.vertex([x, y, z], 0)?;
+            built.vertex([x, y, z])?;
         }
     }
     for segment in 0..segments {
@@ -194,7 +194,7 @@ pub fn torus(radius: f32, tube_radius: f32, segments: u32, sides: u32) -> Result
                 at(segment + 1, side + 1),
                 at(segment, side + 1),
             ];
-            built.polygon(&corners, 0)?;
+            built.polygon(&corners)?;
         }
     }
     built.finish("torus")

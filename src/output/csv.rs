@@ -6,10 +6,12 @@ use std::path::Path;
 
 use super::OutputError;
 use super::atomic::AtomicFile;
+use crate::simulation::FlockMetrics;
 
 /// The first line of the file. Scripts depend on it.
 const HEADER: &str = "frame,population,kind,requested,born,died,live,dropped,digest,\
-                      died_of_age,died_of_intensity,died_of_bounds";
+                      died_of_age,died_of_intensity,died_of_bounds,\
+                      polarisation,mean_speed,median_nearest_distance,mean_neighbours";
 
 /// What happened to a population of particles in one frame.
 ///
@@ -30,6 +32,20 @@ pub struct ParticleCounts {
     pub died_of_intensity: u64,
     /// Deaths out of bounds; the rest of `died` is of age.
     pub died_of_bounds: u64,
+}
+
+/// What happened to the systems that others bear in one frame: `live` is that of the frame before,
+/// plus `born`, minus `died`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SystemCounts {
+    /// Systems that were to be born.
+    pub requested: u64,
+    /// Systems that were born; for the rest there was no slot.
+    pub born: u64,
+    /// Systems whose lifetime was over.
+    pub died: u64,
+    /// Systems that live.
+    pub live: u64,
 }
 
 /// What happened to a population of boids in one frame.
@@ -53,20 +69,29 @@ pub struct FlameCounts {
 }
 
 /// What a row is about, with the numbers that such a row has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Measured {
     /// A population of particles (`particles`).
     Particles(ParticleCounts),
+    /// Systems that others bear (`systems`).
+    Systems(SystemCounts),
     /// A population of boids (`boids`): nobody is left out and nobody dies.
     Boids(BoidCounts),
     /// A population of flames (`flames`).
     Flames(FlameCounts),
+    /// One flock of them (`flock`), of which `born` began in this frame; its digest stays empty.
+    Flock {
+        /// As of [`BoidCounts`].
+        born: u64,
+        /// What the flock has come to, with 32 bits of precision.
+        metrics: FlockMetrics,
+    },
     /// A drawn frame (`image`); its counts stay empty, and its digest is that of its RGBA8 pixels.
     Image,
 }
 
 /// One row of the file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StatsRow<'a> {
     /// Number of the frame, from 0.
     pub frame: u32,
@@ -130,7 +155,7 @@ impl StatsRow<'_> {
             digest,
         } = *self;
         let population = quoted_field(population);
-        let (measured, causes) = match measured {
+        let (measured, causes, metrics) = match measured {
             Measured::Particles(counts) => {
                 let ParticleCounts {
                     requested,
@@ -145,20 +170,57 @@ impl StatsRow<'_> {
                 (
                     format!("particles,{requested},{born},{died},{live},{dropped}"),
                     format!("{of_age},{died_of_intensity},{died_of_bounds}"),
+                    None,
                 )
             }
-            Measured::Boids(BoidCounts { born, live }) => {
-                (format!("boids,{born},{born},0,{live},0"), ",,".to_owned())
+            Measured::Systems(counts) => {
+                let SystemCounts {
+                    requested,
+                    born,
+                    died,
+                    live,
+                } = counts;
+                let dropped = requested.saturating_sub(born);
+                let counts = format!("systems,{requested},{born},{died},{live},{dropped}");
+                (counts, format!("{died},,"), None)
             }
-            Measured::Flames(FlameCounts { born, died, live }) => (
-                format!("flames,{born},{born},{died},{live},0"),
-                ",,".to_owned(),
-            ),
-            Measured::Image => ("image,,,,,".to_owned(), ",,".to_owned()),
+            Measured::Flames(FlameCounts { born, died, live }) => {
+                let counts = format!("flames,{born},{born},{died},{live},0");
+                (counts, ",,".to_owned(), None)
+            }
+            Measured::Boids(BoidCounts { born, live }) => {
+                let counts = format!("boids,{born},{born},0,{live},0");
+                (counts, ",,".to_owned(), None)
+            }
+            Measured::Flock { born, metrics } => {
+                let counts = format!("flock,{born},{born},0,{},0", metrics.count);
+                (counts, ",,".to_owned(), Some(metrics))
+            }
+            Measured::Image => ("image,,,,,".to_owned(), ",,".to_owned(), None),
         };
+        let metrics = metrics.map_or(",,,".to_owned(), metrics_fields);
         let digest = digest.map_or(String::new(), |digest| format!("{digest:016x}"));
-        format!("{frame},{population},{measured},{digest},{causes}")
+        format!("{frame},{population},{measured},{digest},{causes},{metrics}")
     }
+}
+
+fn metrics_fields(metrics: FlockMetrics) -> String {
+    let FlockMetrics {
+        polarisation,
+        mean_speed,
+        median_nearest_distance,
+        mean_neighbours,
+        ..
+    } = metrics;
+    let distance = median_nearest_distance.map_or(String::new(), text_of);
+    let [polarisation, speed, neighbours] =
+        [polarisation, mean_speed, mean_neighbours].map(text_of);
+    format!("{polarisation},{speed},{distance},{neighbours}")
+}
+
+/// The shortest text that means the nearest number of 32 bits.
+fn text_of(number: f64) -> String {
+    (number as f32).to_string()
 }
 
 /// A field as RFC 4180 has it: quoted where it holds a comma, a quote or a line break, quotes doubled.

@@ -89,7 +89,7 @@ fn judge(kind: ErrorKind) -> (bool, &'static str) {
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded | ErrorKind::FileTooLarge => {
             (false, "make room, or choose another disk")
         }
-        _ => (false, ""),
+        _ => (false, "choose another place to write to"),
     }
 }
 

@@ -38,7 +38,9 @@ mod target;
 
 pub(crate) use atomic::{AtomicFile, probe};
 pub(crate) use csv::quoted_field;
-pub use csv::{BoidCounts, FlameCounts, Measured, ParticleCounts, StatsRow, StatsWriter};
+pub use csv::{
+    BoidCounts, FlameCounts, Measured, ParticleCounts, StatsRow, StatsWriter, SystemCounts,
+};
 pub use error::OutputError;
 pub use exr::write_exr;
 pub(crate) use folder::{AtomicFolder, write_whole};

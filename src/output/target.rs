@@ -1,4 +1,5 @@
-//! What `-o OUT` means, by its ending. Nothing here touches a file.
+//! What `-o OUT` means, by its ending. Nothing here touches a file, but for a look whether there is a
+//! folder of that name.
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -9,6 +10,9 @@ use super::{FramePattern, OutputError, Pixels};
 /// What Motes can write, for messages.
 const SUPPORTED: &str = "give a folder, name-%04d.png or name-%04d.exr (a file a frame), name.png, \
                          name.exr or name.svg (one frame), name.gif or name.mp4";
+
+/// Endings that it knows.
+const KNOWN: [&str; 5] = ["png", "exr", "gif", "mp4", "svg"];
 
 /// Where frames go, and as what.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,7 +36,8 @@ pub enum OutputTarget {
 impl OutputTarget {
     /// Reads what the user wrote after `-o`, by its ending (in any case of letters).
     ///
-    /// No ending, or a trailing slash, is a folder. `.png` and `.exr` are one frame, or a pattern where the name holds
+    /// No ending, or a trailing slash, is a folder, and so is one that is there already; a dot and
+    /// a digit are no ending (`v1.2`). `.png` and `.exr` are one frame, or a pattern where the name holds
     /// `%d` or `%04d` (1 to 10 digits); `%%` is a percent sign. `.gif` and `.mp4` are animations, `.svg` a line drawing
     /// of one frame.
     ///
@@ -75,8 +80,18 @@ impl OutputTarget {
             "apng" | "avi" | "avif" | "bmp" | "hdr" | "jpeg" | "jpg" | "jxl" | "m4v" | "mkv"
             | "mov" | "ogv" | "pdf" | "pnm" | "ppm" | "qoi" | "tga" | "tif" | "tiff" | "webm"
             | "webp" | "zip" => Err(usage(format!("Motes does not write .{ending}"), SUPPORTED)),
-            // `out/v1.2`, `.` hidden folders: a dot alone does not make a file type.
-            _ => Self::folder(out),
+            _ if path.is_dir() || !is_ending(name, &ending) => Self::folder(out),
+            _ => {
+                let close = KNOWN
+                    .iter()
+                    .map(|it| (strsim::osa_distance(&ending, it), it));
+                // Two mistakes in three letters leave nothing to guess from.
+                let close = close.filter(|(distance, _)| *distance == 1).min();
+                let guess =
+                    close.map_or(String::new(), |(_, it)| format!("did you mean `.{it}`? "));
+                let help = format!("{guess}A folder of this name is `{out}/`; else {SUPPORTED}");
+                Err(usage(format!("Motes does not write .{ending}"), &help))
+            }
         }
     }
 
@@ -167,4 +182,13 @@ impl OutputTarget {
             Named::One(path) => Self::Png(path),
         })
     }
+}
+
+/// Whether what follows a name's last dot is meant as a file's ending: `out/v1.2` and `.hidden` are
+/// names of folders.
+fn is_ending(name: &str, ending: &str) -> bool {
+    let is_hidden = name.len() == ending.len() + 1;
+    let is_word = ending.starts_with(|c: char| c.is_ascii_alphabetic())
+        && ending.chars().all(|c| c.is_ascii_alphanumeric());
+    is_word && !is_hidden
 }

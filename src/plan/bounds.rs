@@ -3,6 +3,7 @@
 use super::PlanError;
 use super::camera::camera_frame;
 use super::system::{births_at, bounding_sphere, system_key};
+use super::tree::bears_systems;
 use crate::area::screen_area_px;
 use crate::scene::{BirthUnit, Scene, System};
 
@@ -44,11 +45,18 @@ pub(super) fn lifetime_bound(
     let frames = i64::from(frame_end) - i64::from(first);
     let mut longest = 1;
     for scene in scenes {
-        for system in &scene.greatest().systems {
+        let greatest = scene.greatest();
+        for system in &greatest.systems {
+            // Of systems that bear systems, it is those that live so long.
+            if bears_systems(&greatest.systems, system) {
+                continue;
+            }
             let lifetime = match system.lifetime {
                 // Lifetimes are rounded to the nearest; the hundredth stands for single precision.
                 Some(lifetime) => {
-                    let most = f64::from(lifetime.mean) + f64::from(lifetime.var);
+                    let own = system.inherit.lifetime;
+                    let most = [lifetime.mean, lifetime.var, own.mean, own.var];
+                    let most: f64 = most.into_iter().map(f64::from).sum();
                     (most + 0.51).floor() as u32
                 }
                 None if frames > MOST_UNLIMITED_FRAMES => {
@@ -78,9 +86,12 @@ pub(super) fn least_lifetime(scenes: &[&Scene]) -> u32 {
         let (least, greatest) = (scene.least(), scene.greatest());
         let pairs = least.systems.iter().zip(&greatest.systems);
         let lifetimes = pairs.filter_map(|(least, greatest)| {
+            let own = greatest.inherit.lifetime;
             let (least, greatest) = (least.lifetime?, greatest.lifetime?);
             // As in the bound above, a hundredth stands for single precision.
-            let fewest = f64::from(least.mean) - f64::from(greatest.var) + 0.49;
+            let fewest = f64::from(least.mean) - f64::from(greatest.var) + 0.49
+                - f64::from(own.mean)
+                - f64::from(own.var);
             Some(fewest.floor().max(1.0) as u32)
         });
         lifetimes.min().unwrap_or(MOST_LIFETIME)
@@ -143,6 +154,9 @@ pub(super) fn areas_of(now: &Scene) -> Vec<f32> {
 /// The most births that all systems can ask for in a frame; `now` is the scene as it is then.
 pub(super) fn births_bound(now: &Scene, areas: &[f32], frame: i32) -> u64 {
     let of_one = |(system, area): (&System, &f32)| {
+        if system.parent.is_some() || bears_systems(&now.systems, system) {
+            return 0;
+        }
         let due = births_at(system, system_key(now.seed, &system.name), frame);
         let sum = |(mean, var)| f64::from(mean) + f64::from(var);
         let most = sum(due.births).max(0.0) * f64::from(*area) + sum(due.bursts).max(0.0);

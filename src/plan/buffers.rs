@@ -2,8 +2,9 @@
 
 use super::Plan;
 use crate::layout::{
-    AgeLook, Boid, Bound, Counts, Cover, Dispatch, FLAME_STEPS, FireFrame, Flame, FlameDisc,
-    FlockFrame, Frame, FrameStats, ListedFlame, Particle, Relation, SystemFrame, SystemRow, Wind,
+    AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, FLAME_STEPS, FireFrame, Flame, FlameDisc,
+    FlockFrame, Frame, FrameStats, Lamp, ListedFlame, Node, Particle, Planet, Pose, Relation,
+    SystemFrame, SystemRow, Wind,
 };
 
 /// What a buffer is for.
@@ -29,6 +30,15 @@ pub enum Count {
         /// Records besides.
         extra: u32,
     },
+    /// One for each slot, and so many more, if any system bears systems.
+    TreeSlots {
+        /// Records besides.
+        extra: u32,
+    },
+    /// One for each system of the scene, if any bears systems.
+    Broods,
+    /// One for each slot of a system that others bear.
+    Borne,
     /// A ring of parameter rows for each system.
     Rows,
     /// The stored points of curves.
@@ -60,6 +70,8 @@ pub enum Count {
     Pixels(u32),
     /// One for each record of what may cover.
     Covers,
+    /// One a pixel, in whole fours, if there is a planet.
+    PlanetPixels,
     /// So many a pixel, in whole fours, if anything covers.
     CoveredPixels(u32),
     /// A list of the backend's.
@@ -118,6 +130,44 @@ pub static BUFFERS: &[Buffer] = {
             Count::Rows,
         ),
         buffer_of(
+            "poses",
+            Input,
+            "Pose",
+            size_of::<Pose>(),
+            Count::TreeSlots { extra: 0 },
+        ),
+        buffer_of("broods", Input, "Brood", size_of::<Brood>(), Count::Broods),
+        buffer_of(
+            "row_spreads",
+            Input,
+            "SystemRow",
+            size_of::<SystemRow>(),
+            Count::Broods,
+        ),
+        buffer_of("nodes", State, "Node", size_of::<Node>(), Count::Borne),
+        buffer_of(
+            "system_births",
+            Scratch,
+            "u32",
+            4,
+            Count::TreeSlots { extra: 0 },
+        ),
+        buffer_of(
+            "system_offsets",
+            Scratch,
+            "u32",
+            4,
+            Count::TreeSlots { extra: 1 },
+        ),
+        buffer_of("free_slots", Scratch, "u32", 4, Count::Borne),
+        buffer_of(
+            "tree_counts",
+            State,
+            "Counts",
+            size_of::<Counts>(),
+            Count::Fixed(1),
+        ),
+        buffer_of(
             "bounds",
             Input,
             "Bound",
@@ -138,6 +188,21 @@ pub static BUFFERS: &[Buffer] = {
             16,
             Count::Fixed(Plan::MOST_LAYERS),
         ),
+        buffer_of(
+            "planets",
+            Input,
+            "Planet",
+            size_of::<Planet>(),
+            Count::Fixed(1),
+        ),
+        buffer_of(
+            "lamps",
+            Input,
+            "Lamp",
+            size_of::<Lamp>(),
+            Count::Fixed(Plan::MOST_LAMPS),
+        ),
+        buffer_of("planet_pixels", State, "vec4<u32>", 16, Count::PlanetPixels),
         buffer_of("curve_points", Input, "vec4<f32>", 16, Count::CurvePoints),
         buffer_of("mesh_faces", Input, "vec4<f32>", 16, Count::MeshFaces(3)),
         buffer_of("mesh_choices", Input, "vec2<u32>", 8, Count::MeshFaces(1)),
@@ -327,6 +392,10 @@ impl Buffer {
         Some(match self.count {
             Count::Fixed(count) => count,
             Count::Systems { each, extra } => plan.system_count * each + extra,
+            Count::TreeSlots { .. } | Count::Broods if plan.tree_levels == 0 => 0,
+            Count::TreeSlots { extra } => plan.system_count + extra,
+            Count::Broods => plan.own_system_count,
+            Count::Borne => plan.system_count - plan.own_system_count,
             Count::CurvePoints => plan.curve_points.len() as u32,
             Count::MeshFaces(each) => plan.meshes.choices.len() as u32 * each,
             Count::Rows => plan.system_count * plan.row_count,
@@ -343,6 +412,10 @@ impl Buffer {
                 (plan.width * plan.height).next_multiple_of(4) * each
             }
             Count::CoveredPixels(_) => 0,
+            Count::PlanetPixels if plan.uses.planet => {
+                (plan.width * plan.height).next_multiple_of(4)
+            }
+            Count::PlanetPixels => 0,
             Count::Pixels(each) => (plan.width * plan.height).next_multiple_of(4) * each,
             Count::Backend => return None,
         })

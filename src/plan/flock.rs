@@ -163,7 +163,7 @@ fn flock_frame(flock: &Flock, grid: &Grid, seed: u64) -> FlockFrame {
         region_extent: with(extent(region), flock.max_speed),
         acceleration: with(force.map(|part| part / flock.mass), 1.0 / flock.mass),
         edges_min: with(corners.min, factor),
-        edges_max: with(corners.max, 0.0),
+        edges_max: with(corners.max, flock.perception_radius),
         torus: with(torus, 0.0),
         torus_inverse: with(torus.map(inverse), 0.0),
         grid_min: with(grid.corners.min, SUM_STEPS / power_of_two_from(fastest)),

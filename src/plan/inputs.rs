@@ -4,11 +4,13 @@ use super::Plan;
 use super::camera::{camera_frame, layer_planes};
 use super::fire::fires_of;
 use super::flock::flocks_of;
+use super::planet::planet_of;
 use super::system::{Moments, bounds_of, system_frame, system_row};
+use super::tree::{bears_systems, broods, pose_of, row_spread};
 use super::wind::winds_of;
 use crate::layout::{
-    AgeLook, Bound, FireFrame, FlockFrame, Frame, ListedFlame, Relation, SystemFrame, SystemRow,
-    Wind,
+    AgeLook, Bound, Brood, FireFrame, FlockFrame, Frame, Lamp, ListedFlame, Planet, Pose, Relation,
+    SYSTEM_BEARS_SYSTEMS, SystemFrame, SystemRow, Wind,
 };
 use crate::scene::Scene;
 
@@ -18,16 +20,26 @@ use crate::scene::Scene;
 pub struct FrameInputs {
     /// The frame's own values. `page_len` and `page_count` are the backend's to fill in.
     pub frame: Frame,
-    /// One a system slot.
+    /// One a system of the scene.
     pub systems: Vec<SystemFrame>,
-    /// One a system slot: the row that this frame's newborns keep for life.
+    /// One a system of the scene: the row that this frame's newborns keep for life.
     pub rows: Vec<SystemRow>,
+    /// One a system of the scene, if any bears systems: where it is.
+    pub poses: Vec<Pose>,
+    /// One a system of the scene, if any bears systems.
+    pub broods: Vec<Brood>,
+    /// One a system of the scene, if any bears systems: how much those differ that it stands for.
+    pub row_spreads: Vec<SystemRow>,
     /// Where particles may not be, system by system; at most [`Plan::MOST_BOUNDS`].
     pub bounds: Vec<Bound>,
     /// The parts of the wind, at most [`Plan::MOST_WINDS`].
     pub winds: Vec<Wind>,
     /// The planes between layers (unit normal, distance along it), at most [`Plan::MOST_LAYERS`].
     pub layer_planes: Vec<[f32; 4]>,
+    /// The planet, if there is one.
+    pub planets: Vec<Planet>,
+    /// Lights near it, at most [`Plan::MOST_LAMPS`].
+    pub lamps: Vec<Lamp>,
     /// One a flock.
     pub flocks: Vec<FlockFrame>,
     /// What flocks make of each other, flock by flock.
@@ -49,30 +61,45 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
     let earlier = scene.seen_from(time, time - 1.0);
     let closing = scene.seen_from(time, time + f64::from(now.image.shutter));
     let mut bounds = Vec::new();
+    let mut poses = Vec::new();
     let systems = now
         .systems
         .iter()
         .zip(&earlier.systems)
         .zip(&closing.systems)
-        .map(|((now, earlier), closing)| {
+        .map(|((system, earlier), closing)| {
             let moments = Moments {
-                now,
+                now: system,
                 earlier,
                 closing,
             };
             let first_bound = bounds.len();
-            bounds.extend(bounds_of(now));
+            bounds.extend(bounds_of(system));
+            let mut of_system = system_frame(&moments, scene.seed, number);
+            if plan.tree_levels > 0 {
+                poses.push(pose_of(&moments));
+                if bears_systems(&now.systems, system) {
+                    of_system.flags |= SYSTEM_BEARS_SYSTEMS;
+                }
+            }
             SystemFrame {
                 first_bound: first_bound as u32,
                 bound_count: (bounds.len() - first_bound) as u32,
-                ..system_frame(&moments, scene.seed, number)
+                ..of_system
             }
         })
         .collect();
+    let (broods, row_spreads) = if plan.tree_levels > 0 {
+        let spreads = now.systems.iter().map(row_spread);
+        (broods(&now, plan.lifetime_bound), spreads.collect())
+    } else {
+        (Vec::new(), Vec::new())
+    };
     let winds = winds_of(&now, number);
     let layer_planes = layer_planes(&now);
     let (flocks, relations) = flocks_of(&now);
     let (fires, listed_flames, age_looks) = fires_of(&now, &earlier, &plan.meshes, number);
+    let (planets, lamps) = planet_of(&now);
     let frame = Frame {
         frame: number.cast_unsigned(),
         wind_count: winds.len() as u32,
@@ -85,9 +112,14 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
         frame,
         systems,
         rows: rows.collect(),
+        poses,
+        broods,
+        row_spreads,
         bounds,
         winds,
         layer_planes,
+        planets,
+        lamps,
         flocks,
         relations,
         fires,
@@ -102,6 +134,7 @@ impl Plan {
     pub(crate) fn bounded(&self, frame: Frame) -> Frame {
         Frame {
             system_count: self.system_count,
+            own_system_count: self.own_system_count,
             row_mask: self.row_count - 1,
             least_lifetime: self.least_lifetime,
             capacity: self.capacity,

@@ -4,11 +4,8 @@ use std::sync::Arc;
 
 use super::PlanError;
 use crate::exact::snap;
-use crate::mesh::Mesh;
+use crate::mesh::{MOST_TRIANGLES, Mesh};
 use crate::scene::Scene;
-
-/// Faces of all meshes of a run at most: as many as one binding holds on every adapter.
-const MOST_FACES: usize = (128 << 20) / 48;
 
 /// Every face of every mesh of a run. Where there are none, one that is nobody's.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -55,10 +52,10 @@ impl MeshTables {
     fn add(&mut self, mesh: &Arc<Mesh>) -> Result<(), PlanError> {
         let first = self.choices.len();
         let count = mesh.triangles().len();
-        if first + count > MOST_FACES {
+        if first + count > MOST_TRIANGLES {
             return Err(PlanError {
                 message: format!("this scene is born on {} faces of meshes", first + count),
-                help: format!("at most {MOST_FACES} in all"),
+                help: format!("at most {MOST_TRIANGLES} in all"),
             });
         }
         let mut areas = Vec::with_capacity(count);

@@ -12,9 +12,11 @@ mod fire;
 mod flock;
 mod inputs;
 mod meshes;
+mod planet;
 mod population;
 mod stages;
 mod system;
+mod tree;
 mod turned;
 mod uses;
 mod wind;
@@ -69,8 +71,12 @@ pub struct Plan {
     pub least_lifetime: u32,
     /// Parameter rows kept for each system, a power of two; 1 if no parameter ever changes.
     pub row_count: u32,
-    /// Number of systems.
+    /// Slots of systems: those of the scene, then those that others bear.
     pub system_count: u32,
+    /// Systems of the scene.
+    pub own_system_count: u32,
+    /// Steps from roots down to the farthest systems that others bear; 0 if there are none.
+    pub tree_levels: u32,
     /// Number of flocks.
     pub flock_count: u32,
     /// Boids of all flocks.
@@ -108,6 +114,8 @@ impl Plan {
     pub const MOST_BOUNDS: u32 = 4096;
     /// Parts of the wind, at most.
     pub const MOST_WINDS: u32 = 16;
+    /// Lights near the planet, at most.
+    pub const MOST_LAMPS: u32 = 16;
     /// Planes between layers, at most.
     pub const MOST_LAYERS: u32 = 8;
 
@@ -133,6 +141,8 @@ impl Plan {
             scenes.push(&turn.scene);
         }
         check_bounds(&scenes)?;
+        tree::check_rings(scene)?;
+        planet::check_planet(scene)?;
         let first_frame = bounds::first_frame(&scenes);
         let frame_end = frame_end.max(scene.frames);
         let lifetime_bound = bounds::lifetime_bound(&scenes, first_frame, frame_end)?;
@@ -155,13 +165,17 @@ impl Plan {
             flocks.map(|flock| flock.relations.len() as u32).sum()
         };
         let most = |of: &dyn Fn(&&Scene) -> u32| scenes.iter().map(of).max().unwrap_or(0);
+        let most_of_kinds = tree::most_of_kinds(&scenes, lifetime_bound, frame_end);
+        let borne = tree::capacity(scene, &most_of_kinds)?;
         let mut plan = Self {
             capacity: 1,
             may_drop: false,
             lifetime_bound,
             least_lifetime: bounds::least_lifetime(&scenes),
             row_count,
-            system_count: scene.systems.len() as u32,
+            system_count: scene.systems.len() as u32 + borne,
+            own_system_count: scene.systems.len() as u32,
+            tree_levels: tree::levels(scene),
             flock_count: scene.flocks.len() as u32,
             boid_count: scene.flocks.iter().map(|flock| flock.count).sum(),
             boid_cover_count: most(&|scene| flock::cover_count(scene)),
@@ -183,7 +197,7 @@ impl Plan {
             variants,
         };
         plan.uses = plan.uses_of_all();
-        let bound = plan.bound(frame_end);
+        let bound = plan.bound(frame_end, &most_of_kinds);
         (plan.capacity, plan.may_drop) = match scene.capacity {
             Some(capacity) => (capacity, !bound.is_ok_and(|most| most <= capacity)),
             None => (bound?, false),
@@ -203,7 +217,10 @@ impl Plan {
             .fold(Uses::default(), Uses::and)
     }
 
-    fn bound(&self, frame_end: u32) -> Result<u32, PlanError> {
+    fn bound(&self, frame_end: u32, most_of_kinds: &[u64]) -> Result<u32, PlanError> {
+        let of_borne =
+            |(_, scene): &(i32, Scene)| tree::births_bound(&scene.greatest(), most_of_kinds);
+        let of_borne = self.variants.iter().map(of_borne).max().unwrap_or(0);
         // What has no keys covers the same area in all frames: it is found once.
         let still_areas: Vec<Option<Vec<f32>>> = self
             .variants
@@ -215,12 +232,14 @@ impl Plan {
             |frame| {
                 let at = self.variant_at(frame);
                 let now = self.variants[at].1.at(f64::from(frame));
-                match &still_areas[at] {
+                let of_own = match &still_areas[at] {
                     Some(areas) => bounds::births_bound(&now, areas, frame),
                     None => bounds::births_bound(&now, &bounds::areas_of(&now), frame),
-                }
+                };
+                // A sum of a run's frames stays far below 2^64.
+                of_own.saturating_add(of_borne).min(1 << 40)
             },
-            self.system_count as usize * if has_keys { bounds::KEYED_COST } else { 1 },
+            self.own_system_count as usize * if has_keys { bounds::KEYED_COST } else { 1 },
             self.lifetime_bound,
             self.first_frame,
             frame_end,
@@ -250,9 +269,17 @@ impl Plan {
         scene.flocks.iter().map(|flock| flock.count)
     }
 
+    /// The name of each flock.
+    pub fn flock_names(&self) -> impl Iterator<Item = &str> + '_ {
+        let (_, scene) = &self.variants[0];
+        scene.flocks.iter().map(|flock| flock.name.as_str())
+    }
+
     /// Whether the plan has anything for the stage to do at any time.
     pub fn has(&self, stage: Stage) -> bool {
         match stage {
+            Stage::Tree => self.tree_levels > 0,
+            Stage::Planet => self.uses.planet,
             Stage::Hatch | Stage::Cells | Stage::Steer => self.flock_count > 0,
             Stage::Shapes | Stage::Cover => self.uses.covers,
             Stage::Kindle | Stage::Trace | Stage::FlameDiscs | Stage::Glow => self.fire_count > 0,
@@ -329,8 +356,13 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
         let systems = scene.systems.iter();
         systems.map(|system| system.blend).collect()
     };
+    let tree = |scene: &Scene| -> Vec<Option<String>> {
+        let systems = scene.systems.iter();
+        systems.map(|system| system.parent.clone()).collect()
+    };
     let fixed = |scene: &Scene| {
         (
+            (tree(scene), scene.max_systems, scene.planet.is_some()),
             blends(scene),
             scene.image.width,
             scene.image.height,
@@ -347,7 +379,7 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
                 "the change at frame {} alters what holds for a whole run",
                 turn.frame
             ),
-            help: "the list of systems, their names and `blend`, the flocks' and fires' names and counts, the \
+            help: "the list of systems, their names, parents and `blend`, whether there is a planet, the flocks' and fires' names and counts, the \
                    number of layers, the image size, the seed and the capacity stay as the scene has \
                    them"
                 .into(),

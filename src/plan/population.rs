@@ -7,6 +7,8 @@ use crate::scene::Scene;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Population {
+    /// Systems that others bear.
+    Systems,
     /// Those of all particle systems.
     Particles,
     /// Those of all flocks.
@@ -17,11 +19,12 @@ pub enum Population {
 
 impl Population {
     /// Each of them.
-    pub const ALL: [Self; 3] = [Self::Particles, Self::Boids, Self::Flames];
+    pub const ALL: [Self; 4] = [Self::Particles, Self::Systems, Self::Boids, Self::Flames];
 
-    /// Its name in tables and of its dumps; also that of its state buffer.
+    /// Its name in tables and of its dumps; also that of its state buffer, but for systems, whose is `nodes`.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Systems => "systems",
             Self::Particles => "particles",
             Self::Boids => "boids",
             Self::Flames => "flames",
@@ -31,6 +34,7 @@ impl Population {
     /// The populations that the scene has anybody of.
     pub(crate) fn of_scene(scene: &Scene) -> Vec<Self> {
         let has = |population: &Self| match population {
+            Self::Systems => scene.systems.iter().any(|system| system.parent.is_some()),
             Self::Particles => !scene.systems.is_empty(),
             Self::Boids => !scene.flocks.is_empty(),
             Self::Flames => !scene.fires.is_empty(),
@@ -41,9 +45,10 @@ impl Population {
     /// Index of its first record in digests: equal records of two populations count differently.
     pub(crate) fn first_index(self) -> u32 {
         match self {
+            Self::Systems => 3 << 30,
             Self::Particles => 0,
             Self::Boids => 1 << 31,
-            Self::Flames => 3 << 30,
+            Self::Flames => 5 << 29,
         }
     }
 }
@@ -52,7 +57,8 @@ impl Plan {
     /// Whether the scene has anybody of that population.
     pub fn has_population(&self, population: Population) -> bool {
         match population {
-            Population::Particles => self.system_count > 0,
+            Population::Systems => self.tree_levels > 0,
+            Population::Particles => self.own_system_count > 0,
             Population::Boids => self.flock_count > 0,
             Population::Flames => self.fire_count > 0,
         }

@@ -5,6 +5,8 @@ use super::FrameInputs;
 /// A stage of a frame. Backends expand each into their own passes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Stage {
+    /// Systems that others bear: births, deaths, places, parameters.
+    Tree,
     /// How many particles each system bears, and where they go.
     Births,
     /// Attributes of the newborn.
@@ -27,6 +29,8 @@ pub enum Stage {
     Shapes,
     /// What covers, from near to far, in every pixel.
     Cover,
+    /// The planet, and on it what shows of the particles behind it.
+    Planet,
     /// Particles add their light.
     Splat,
     /// Particles along flames, as they are seen.
@@ -56,6 +60,21 @@ pub struct StageInfo {
 /// flocks are all there from the first frame on, and look before they move; Perry 1994, 3.2: flames
 /// are traced anew in every frame).
 pub static STAGES: &[StageInfo] = &[
+    StageInfo {
+        stage: Stage::Tree,
+        name: "tree",
+        reads: &[
+            "frame",
+            "system_frames",
+            "rows",
+            "broods",
+            "row_spreads",
+            "poses",
+            "nodes",
+        ],
+        writes: &["nodes", "tree_counts", "poses", "system_frames", "rows"],
+        draws: false,
+    },
     StageInfo {
         stage: Stage::Births,
         name: "births",
@@ -101,6 +120,7 @@ pub static STAGES: &[StageInfo] = &[
             "system_frames",
             "alive_bits",
             "deaths",
+            "tree_counts",
             "particles",
             "winds",
         ],
@@ -172,6 +192,22 @@ pub static STAGES: &[StageInfo] = &[
         draws: true,
     },
     StageInfo {
+        stage: Stage::Planet,
+        name: "planet",
+        reads: &[
+            "frame",
+            "planets",
+            "lamps",
+            "system_frames",
+            "rows",
+            "counts",
+            "particles",
+            "layer_planes",
+        ],
+        writes: &["planet_pixels", "light_low", "light_high"],
+        draws: true,
+    },
+    StageInfo {
         stage: Stage::Splat,
         name: "splat",
         reads: &[
@@ -209,7 +245,14 @@ pub static STAGES: &[StageInfo] = &[
     StageInfo {
         stage: Stage::Resolve,
         name: "resolve",
-        reads: &["frame", "light_low", "light_high", "cover_rg", "cover_bt"],
+        reads: &[
+            "frame",
+            "light_low",
+            "light_high",
+            "planet_pixels",
+            "cover_rg",
+            "cover_bt",
+        ],
         writes: &["image"],
         draws: true,
     },
@@ -219,6 +262,8 @@ impl Stage {
     /// Whether the stage has anything to do in that frame.
     pub(crate) fn is_due(self, inputs: &FrameInputs) -> bool {
         match self {
+            Self::Tree => !inputs.broods.is_empty(),
+            Self::Planet => !inputs.planets.is_empty(),
             Self::Hatch => inputs.hatches && !inputs.flocks.is_empty(),
             Self::Cells | Self::Steer => !inputs.flocks.is_empty(),
             Self::Kindle | Self::Trace | Self::FlameDiscs | Self::Glow => !inputs.fires.is_empty(),

@@ -92,7 +92,7 @@ fn steady_births(system: &System, key: u32, frame: i32, frame_now: i32) -> (f32,
 
 /// The rows of a system's transform to world space: the rotation about x by the first angle, then
 /// about y by the second, then to its position.
-fn pose(system: &System) -> [[f32; 4]; 3] {
+pub(super) fn pose(system: &System) -> [[f32; 4]; 3] {
     pose_of(system.position, system.rotation_degrees)
 }
 
@@ -111,6 +111,11 @@ pub(super) fn pose_of([x, y, z]: [f32; 3], rotation_degrees: [f32; 2]) -> [[f32;
 /// A world vector in the space whose rows lead to the world: a rotation's inverse is its transpose.
 fn turned_back(rows: [[f32; 4]; 3], v: [f32; 3]) -> [f32; 3] {
     [0, 1, 2].map(|i| snap(rows[0][i] * v[0] + rows[1][i] * v[1] + rows[2][i] * v[2]))
+}
+
+/// A vector of the system's in the space that the rows lead to.
+fn turned_by(rows: [[f32; 4]; 3], v: [f32; 3]) -> [f32; 3] {
+    rows.map(|row| snap(row[0] * v[0] + row[1] * v[1] + row[2] * v[2]))
 }
 
 /// One system at three times: now, a frame ago, and when the shutter closes.
@@ -137,8 +142,15 @@ pub(super) fn system_frame(moments: &Moments, seed: u64, frame: i32) -> SystemFr
     } else {
         (IDENTITY, IDENTITY)
     };
-    let due = births_at(system, key, frame);
-    let [a0, a1, a2] = turned_back(world_from_system, system.acceleration);
+    // One that stands for others bears nobody itself.
+    let due = match &system.parent {
+        None => births_at(system, key, frame),
+        Some(_) => BirthsDue::default(),
+    };
+    let [a0, a1, a2] = match system.acceleration_space {
+        ParticleSpace::World => turned_back(world_from_system, system.acceleration),
+        ParticleSpace::System => turned_by(system_from_birth, system.acceleration),
+    };
     let flag = |set: bool, flag: u32| if set { flag } else { 0 };
     SystemFrame {
         world_from_system_x: world_from_system[0],
@@ -176,6 +188,13 @@ pub(super) fn system_frame(moments: &Moments, seed: u64, frame: i32) -> SystemFr
 
 /// The sphere around the system's generation shape, in world space.
 pub(super) fn bounding_sphere(system: &System) -> [f32; 4] {
+    let [x, y, z, radius] = own_bounding_sphere(system);
+    let center = pose(system).map(|row| row[3] + row[0] * x + row[1] * y + row[2] * z);
+    [center[0], center[1], center[2], radius].map(snap)
+}
+
+/// The sphere around the system's generation shape, in the system's space.
+pub(super) fn own_bounding_sphere(system: &System) -> [f32; 4] {
     // Half of a cone's height up its axis, and a mesh's own; all other shapes are centred.
     let up = |height: f32| [0.0, 0.0, height];
     let (local, radius) = match system.generation_shape {
@@ -192,6 +211,7 @@ pub(super) fn bounding_sphere(system: &System) -> [f32; 4] {
             height,
         } => (up(0.0), half_diagonal([length, width, height])),
         GenerationShape::Line { length } => (up(0.0), 0.5 * length),
+        GenerationShape::Rings { radius, .. } => (up(-radius), radius),
         GenerationShape::Cone {
             height,
             angle_degrees,
@@ -205,8 +225,7 @@ pub(super) fn bounding_sphere(system: &System) -> [f32; 4] {
         }
     };
     let [x, y, z] = local;
-    let center = pose(system).map(|row| row[3] + row[0] * x + row[1] * y + row[2] * z);
-    [center[0], center[1], center[2], radius].map(snap)
+    [x, y, z, radius].map(snap)
 }
 
 fn half_diagonal([x, y, z]: [f32; 3]) -> f32 {
@@ -371,6 +390,7 @@ fn shape_of(shape: &GenerationShape, meshes: &MeshTables) -> (u32, [f32; 4]) {
             layout::SHAPE_CURVE,
             [radius, first_point(attractor) as f32, CURVE_LEN as f32, 0.0],
         ),
+        GenerationShape::Rings { .. } => (layout::SHAPE_RINGS, [0.0; 4]),
         GenerationShape::Mesh { ref mesh, scale } => {
             // Every mesh of the run is stored, and its numbers are far below 2^24.
             let (first, count) = meshes.place_of(mesh).unwrap_or((0, 1));

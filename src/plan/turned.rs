@@ -18,6 +18,7 @@ impl Plan {
         // What covers is fixed for a whole run: its buffers are large.
         self.uses = Uses {
             covers: self.uses.covers,
+            planet: self.uses.planet,
             triangles: self.uses.triangles,
             ..Uses::all()
         };

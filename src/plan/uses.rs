@@ -69,6 +69,8 @@ uses! {
     meshes "MESHES";
     /// Boids that look at more others than a loop of a software driver turns.
     crowds "CROWDS";
+    /// A planet, which splits the picture.
+    planet "PLANET";
     /// What covers what is behind it.
     covers "COVERS";
     /// Covering triangles.
@@ -106,6 +108,7 @@ impl Uses {
         let systems = inputs.systems.iter().map(Self::of_system);
         let winds = inputs.winds.iter().map(Self::of_wind);
         let own = Self {
+            planet: !inputs.planets.is_empty(),
             layers: !inputs.layer_planes.is_empty(),
             covers: inputs.flocks.iter().any(is_drawn),
             triangles: inputs.flocks.iter().any(has_triangles),
@@ -113,12 +116,20 @@ impl Uses {
                 .flocks
                 .iter()
                 .any(|flock| sight(flock, inputs) > MOST_TURNS),
-            many_systems: inputs.systems.len() > 1,
-            many_rows: inputs.systems.len() > 1 || inputs.frame.row_mask > 0,
+            many_systems: inputs.frame.system_count > 1,
+            many_rows: inputs.frame.system_count > 1 || inputs.frame.row_mask > 0,
             many_winds: inputs.winds.len() > 1,
             ..Self::default()
         };
-        rows.chain(systems).chain(winds).fold(own, Self::and)
+        // What differs among systems adds to what their kind has.
+        let spreads = inputs.row_spreads.iter().map(|row| Self {
+            rate_spreads: Self::of_row(row).rate_spreads,
+            ..Self::default()
+        });
+        rows.chain(systems)
+            .chain(winds)
+            .chain(spreads)
+            .fold(own, Self::and)
     }
 
     fn of_row(row: &SystemRow) -> Self {

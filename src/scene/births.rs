@@ -32,6 +32,25 @@ pub struct Births {
     pub mean_parts_wander_frames: f32,
 }
 
+impl Births {
+    /// Nobody.
+    pub(super) fn none(per: BirthUnit) -> Self {
+        Self {
+            per,
+            initial_mean_parts: 0.0,
+            delta_mean_parts: 0.0,
+            quadratic_mean_parts: 0.0,
+            cubic_mean_parts: 0.0,
+            var_parts: 0.0,
+            delta_var_parts: 0.0,
+            quadratic_var_parts: 0.0,
+            cubic_var_parts: 0.0,
+            mean_parts_wander: 0.0,
+            mean_parts_wander_frames: 24.0,
+        }
+    }
+}
+
 /// What [`Births`] counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BirthUnit {

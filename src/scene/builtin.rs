@@ -58,6 +58,9 @@ pub const BUILTIN: &[BuiltinScene] = builtin![
     "flock",
     "flock-million",
     "fountain",
+    "genesis-impact",
+    "genesis-limb",
+    "genesis-rings",
     "million",
     "predators",
     "predators-ignored",
@@ -150,7 +153,10 @@ fn unknown(name: &str) -> SceneError {
 fn read(path: &str) -> Result<String, SceneError> {
     let refuse = |what: String, help: &str| SceneError::general(what, Some(path), help);
     let cannot = |error: std::io::Error| {
-        let help = "a path to a scene's TOML file; `motes scenes` lists the built-in scenes";
+        let help = match error.kind() {
+            std::io::ErrorKind::PermissionDenied => "a file that you may read",
+            _ => "a path to a scene's TOML file; `motes scenes` lists the built-in scenes",
+        };
         refuse(format!("the scene file cannot be read: {error}"), help)
     };
     let file = File::open(path).map_err(cannot)?;

@@ -22,6 +22,9 @@ struct Parts {
     file: Option<String>,
     place: Option<Place>,
     help: String,
+    /// What else there is to know; mostly nothing.
+    note: String,
+    is_users_fault: bool,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -47,7 +50,27 @@ impl SceneError {
             file: file.map(printable),
             place: None,
             help: printable(&help.into()),
+            note: String::new(),
+            is_users_fault: true,
         }))
+    }
+
+    /// The same where the machine is at fault.
+    pub(super) fn of_the_machine(mut self) -> Self {
+        self.0.is_users_fault = false;
+        self
+    }
+
+    /// The same with something else to know.
+    pub(super) fn noted(mut self, note: impl Into<String>) -> Self {
+        self.0.note = printable(&note.into());
+        self
+    }
+
+    /// File, line and column, as far as there are any.
+    pub(super) fn location(&self) -> String {
+        let file = self.0.file.as_deref().unwrap_or_default();
+        file.to_owned() + &self.0.place.as_ref().map_or(String::new(), Place::suffix)
     }
 
     /// An error at `span`, bytes of `text`, which came from `file`, where it begins on line
@@ -69,6 +92,13 @@ impl SceneError {
         &self.0.what
     }
 
+    /// Whether another scene, or another file of it, would help; else the machine has too little
+    /// memory.
+    #[must_use]
+    pub fn is_users_fault(&self) -> bool {
+        self.0.is_users_fault
+    }
+
     /// What would be right.
     #[must_use]
     pub fn help(&self) -> &str {
@@ -76,7 +106,8 @@ impl SceneError {
     }
 
     /// The file as it was given to [`parse`](super::parse()) or [`load`](super::load), or
-    /// `command line`, or that of a recording; `None` if the error is about no file.
+    /// `command line`, or that of a recording, or a mesh that the scene names; `None` if the error
+    /// is about no file.
     #[must_use]
     pub fn file(&self) -> Option<&str> {
         self.0.file.as_deref()
@@ -104,26 +135,29 @@ impl fmt::Display for SceneError {
             file,
             place,
             help,
+            note,
+            is_users_fault: _,
         } = &*self.0;
         write!(out, "error: {what}")?;
         let gutter = place.as_ref().map_or(2, Place::gutter);
-        if let Some(file) = file {
-            write!(out, "\n{:gutter$}--> {file}", "")?;
+        if file.is_some() {
+            write!(out, "\n{:gutter$}--> {}", "", self.location())?;
         }
         if let Some(place) = place {
-            let (number, location) = if place.numbered {
-                let Place { line, column, .. } = place;
-                (line.to_string(), format!(":{line}:{column}"))
-            } else {
-                (String::new(), String::new())
+            let number = match place.numbered {
+                true => place.line.to_string(),
+                false => String::new(),
             };
             let (indent, carets) = (place.indent, place.carets);
-            write!(out, "{location}\n{:gutter$} |", "")?;
+            write!(out, "\n{:gutter$} |", "")?;
             write!(out, "\n{number:>gutter$} | {}", place.snippet)?;
             write!(out, "\n{:gutter$} | {:indent$}{:^<carets$}", "", "", "")?;
         }
         if !help.is_empty() {
             write!(out, "\n{:gutter$} = help: {help}", "")?;
+        }
+        if !note.is_empty() {
+            write!(out, "\n{:gutter$} = note: {note}", "")?;
         }
         Ok(())
     }
@@ -168,6 +202,14 @@ impl Place {
         }
     }
 
+    /// What stands behind the file's name.
+    fn suffix(&self) -> String {
+        match self.numbered {
+            true => format!(":{}:{}", self.line, self.column),
+            false => String::new(),
+        }
+    }
+
     fn gutter(&self) -> usize {
         if self.numbered {
             self.line.to_string().len().max(2)
@@ -196,6 +238,19 @@ pub(super) fn did_you_mean<'a>(given: &str, names: impl IntoIterator<Item = &'a 
         let _ = write!(sentence, "did you mean `{name}`? ");
     }
     sentence
+}
+
+/// The same with as many as three: "did you mean `x` or `y`? ".
+pub(super) fn did_you_mean_one_of<'a>(
+    given: &str,
+    names: impl IntoIterator<Item = &'a str>,
+) -> String {
+    let names = nearest(given, names).into_iter().take(3);
+    let names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
+    match names.is_empty() {
+        true => String::new(),
+        false => format!("did you mean {}? ", names.join(" or ")),
+    }
 }
 
 /// A name that the user gave, not too long to stand in a message.

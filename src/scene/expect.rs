@@ -2,6 +2,9 @@
 
 use super::schema::{Field, Kind, Limits, MOST_NAME_CHARS, Presence, Variant, parent_of};
 
+/// Keys that a message lists, at most: more are not read to their end.
+const MOST_KEYS: usize = 14;
+
 /// The key with a value that is right: `near = 0.1`.
 pub(super) fn example(field: &Field) -> String {
     match field.kind {
@@ -31,7 +34,7 @@ pub(super) fn expected(field: &Field) -> String {
     let words = match (kind, presence) {
         (Kind::Tables { fields, max }, Presence::Required(_) | Presence::Optional(_)) => {
             let max = digits(*max as f64);
-            format!("1 to {max} tables with the keys {}", keys(fields))
+            format!("1 to {max} tables with {}", keys_in_words(fields))
         }
         _ => kind_in_words(kind),
     };
@@ -106,12 +109,12 @@ pub(super) fn kind_in_words(kind: &Kind) -> String {
             format!("{{ mean, var{key} }}, mean {mean}, var {var}{rate}; or the mean alone")
         }
         Kind::Choice(words) => format!("one of {}", quoted(words)),
-        Kind::Table(fields) => format!("a table with the keys {}", keys(fields)),
+        Kind::Table(fields) => format!("a table with {}", keys_in_words(fields)),
         Kind::Tables { fields, max } => {
             format!(
-                "at most {} tables with the keys {}",
+                "at most {} tables with {}",
                 digits(max as f64),
-                keys(fields)
+                keys_in_words(fields)
             )
         }
         Kind::Variants(variants) => format!("one of {}", kinds(variants)),
@@ -144,6 +147,14 @@ fn numbers(count: usize, limits: Limits) -> String {
 
 pub(super) fn range(min: f64, max: f64) -> String {
     format!("from {} to {}", digits(min), digits(max))
+}
+
+/// Which keys a table has: their names, or where they are listed if they are many.
+pub(super) fn keys_in_words(fields: &[Field]) -> String {
+    match fields.len() {
+        0..=MOST_KEYS => format!("the keys {}", keys(fields)),
+        _ => "keys that `motes schema --markdown` lists".to_owned(),
+    }
 }
 
 fn keys(fields: &[Field]) -> String {

@@ -1,18 +1,18 @@
-//! The files that a scene names: found beside it, and nowhere else unless that is allowed.
+//! The files that a scene names: found beside it, and nowhere else unless that is allowed; each
+//! noted, so that nobody writes over it, and all together of bounded size.
 
-use std::cell::RefCell;
-use std::collections::HashMap;
+use std::cell::{Cell, RefCell};
 use std::fs::File;
 use std::io::{ErrorKind, Read as _};
 use std::path::{Component, Path, PathBuf};
-use std::sync::Arc;
 
-use super::SceneError;
 use super::builtin::BUILTIN_FILES;
-use super::error::{did_you_mean, shortened};
-use super::read::Spot;
-use super::values::text;
-use crate::mesh::{self, MOST_BYTES, Mesh, MeshError};
+use super::error::did_you_mean;
+use super::meshes::Meshes;
+use crate::mesh::{self, ENDINGS, MOST_BYTES, MeshError};
+
+/// Names of a folder that are looked through for one like another, at most.
+const MOST_NAMES: usize = 10_000;
 
 /// What a path in a scene is relative to.
 enum Home {
@@ -22,23 +22,32 @@ enum Home {
     Program,
 }
 
-/// The files of one scene. Each is read once.
+/// A file of a scene, found but not yet read.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Found {
+    /// One that the program carries, by its place in [`BUILTIN_FILES`].
+    Carried(usize),
+    /// One of the disk, by its path without links and dots.
+    OnDisk(PathBuf),
+}
+
+/// The files of one scene.
 pub(super) struct Files {
     home: Home,
     allow_outside: bool,
-    meshes: RefCell<HashMap<String, Arc<Mesh>>>,
+    /// Those that were opened, with what they are to the scene.
+    opened: RefCell<Vec<(&'static str, PathBuf)>>,
+    /// Bytes that may still be read.
+    left: Cell<u64>,
+    pub(super) meshes: RefCell<Meshes>,
 }
 
 impl Files {
     /// Those beside a scene's file, by its path.
     pub(super) fn beside(file: &str, allow_outside: bool) -> Self {
-        // What comes in through a pipe has no folder of its own.
-        let is_pipe = file.starts_with("/dev/") || file.starts_with("/proc/");
-        let folder = Path::new(file).parent().filter(|_| !is_pipe);
-        Self::of(
-            Home::Folder(folder.unwrap_or(Path::new("")).to_owned()),
-            allow_outside,
-        )
+        let files = Self::of(Home::Folder(folder_of(file)), allow_outside);
+        files.opened.borrow_mut().push(("the scene", file.into()));
+        files
     }
 
     /// Those of a built-in scene.
@@ -50,85 +59,43 @@ impl Files {
         Self {
             home,
             allow_outside,
+            opened: RefCell::default(),
+            left: Cell::new(MOST_BYTES),
             meshes: RefCell::default(),
         }
     }
 
-    /// The mesh that a value names: a built-in one, or a file.
-    pub(super) fn mesh(&self, spot: &Spot<'_>) -> Result<Arc<Mesh>, SceneError> {
-        let name = text(spot)?;
-        if let Some(mesh) = self.meshes.borrow().get(&name) {
-            return Ok(Arc::clone(mesh));
-        }
-        let loaded = match mesh::builtin(&name) {
-            Some(mesh) => mesh,
-            None if !name.contains(['.', '/', '\\']) => {
-                let what = format!("`{}` cannot be \"{}\"", spot.path, shortened(&name));
-                let guess = did_you_mean(&name, mesh::BUILTIN);
-                let help = format!("{guess}{}", self.expected());
-                return Err(spot.node.at.error(what, help));
-            }
-            None => self.read_mesh(&name),
-        };
-        let mesh = loaded.map_err(|error| {
-            let MeshError { what, line, help } = error;
-            let line = line.map_or(String::new(), |line| format!(":{line}"));
-            let what = format!("`{}`: {}{line}: {what}", spot.path, shortened(&name));
-            spot.node.at.error(what, help)
-        })?;
-        let mesh = Arc::new(mesh);
-        self.meshes.borrow_mut().insert(name, Arc::clone(&mesh));
-        Ok(mesh)
+    /// Every file that was opened up to now, with what it is to the scene: its own, its meshes and
+    /// their buffers.
+    pub(super) fn opened(&self) -> Vec<(&'static str, PathBuf)> {
+        self.opened.borrow().clone()
     }
 
-    fn read_mesh(&self, name: &str) -> Result<Mesh, MeshError> {
-        let bytes = self.read(name)?;
-        Mesh::read(name, &bytes, &mut |part: &str| {
-            // Named relative to the file that names it.
-            let path = match Path::new(name).parent() {
-                Some(folder) => folder.join(part).to_string_lossy().into_owned(),
-                None => part.to_owned(),
-            };
-            self.read(&path).map_err(|error| MeshError {
-                what: format!("its buffer {}: {}", shortened(part), error.what),
-                ..error
-            })
-        })
-    }
-
-    /// The bytes of a file.
-    fn read(&self, path: &str) -> Result<Vec<u8>, MeshError> {
+    /// A file of the scene by its path, which must be one that may be read.
+    pub(super) fn find(&self, path: &str) -> Result<Found, MeshError> {
         if !self.allow_outside {
             lexically_inside(Path::new(path))?;
         }
-        let folder = match &self.home {
-            Home::Folder(folder) => folder.as_path(),
-            Home::Program => {
-                let plain = normalised(Path::new(path));
-                let mut carried = BUILTIN_FILES.iter();
-                if let Some((_, bytes)) = carried.find(|(name, _)| Path::new(name) == plain) {
-                    return Ok(bytes.to_vec());
-                }
-                if !self.allow_outside {
-                    return Err(MeshError::new(
-                        "the program carries no such file",
-                        format!(
-                            "{}, or --allow-outside for files in the current folder",
-                            self.expected()
-                        ),
-                    ));
-                }
-                Path::new("")
+        if let Home::Program = self.home {
+            let plain = normalised(Path::new(path));
+            let mut carried = BUILTIN_FILES.iter();
+            if let Some(at) = carried.position(|(name, _)| Path::new(name) == plain) {
+                return Ok(Found::Carried(at));
             }
-        };
-        let found = folder.join(path);
-        let cannot = |error: std::io::Error| {
-            let why = match error.kind() {
-                ErrorKind::NotFound => "there is no such file".to_owned(),
-                _ => format!("the file cannot be read: {error}"),
-            };
-            MeshError::new(why, self.expected())
-        };
+            if !self.allow_outside {
+                let names = BUILTIN_FILES.iter().map(|(name, _)| *name);
+                return Err(MeshError::new(
+                    "the program carries no such file",
+                    format!(
+                        "{}{}, or --allow-outside for files in the current folder",
+                        did_you_mean(path, names),
+                        self.expected()
+                    ),
+                ));
+            }
+        }
+        let found = self.folder().join(path);
+        let cannot = |error| self.cannot_read(path, &error);
         let about = found.metadata().map_err(cannot)?;
         if !about.is_file() {
             // A pipe would be waited for, a device read without end.
@@ -138,35 +105,49 @@ impl Files {
             };
             return Err(MeshError::new(what, self.expected()));
         }
-        if !self.allow_outside {
-            let home = match folder.as_os_str().is_empty() {
-                true => Path::new("."),
-                false => folder,
-            };
-            let home = home.canonicalize().map_err(cannot)?;
-            if !found.canonicalize().map_err(cannot)?.starts_with(home) {
-                return Err(outside("a link leads out of the scene's folder"));
-            }
+        let place = found.canonicalize().map_err(cannot)?;
+        if !self.allow_outside && !self.is_inside(&place) {
+            return Err(outside("a link leads out of the scene's folder"));
         }
+        Ok(Found::OnDisk(place))
+    }
+
+    /// The bytes of a file, which is `what` to the scene.
+    pub(super) fn read(&self, found: &Found, what: &'static str) -> Result<Vec<u8>, MeshError> {
+        let place = match found {
+            Found::Carried(at) => return Ok(BUILTIN_FILES[*at].1.to_vec()),
+            Found::OnDisk(place) => place,
+        };
+        self.opened.borrow_mut().push((what, place.clone()));
+        let cannot = |error| self.cannot_read("", &error);
+        let file = File::open(place).map_err(cannot)?;
+        let about = file.metadata().map_err(cannot)?;
         if about.len() > MOST_BYTES {
             return Err(MeshError::too_long());
         }
         let mut bytes = Vec::new();
-        bytes
-            .try_reserve_exact(about.len() as usize + 1)
-            .map_err(|_| {
-                let what = format!("there is no memory for its {} bytes", about.len());
-                MeshError::new(what, "a smaller mesh")
-            })?;
+        let reserved = bytes.try_reserve_exact(about.len().min(self.left.get()) as usize + 1);
+        reserved.map_err(|_| MeshError::no_memory(about.len(), "bytes of the file"))?;
         // It may grow meanwhile.
-        let file = File::open(&found).map_err(cannot)?;
-        let mut limited = file.take(MOST_BYTES + 1);
+        let mut limited = file.take(self.left.get() + 1);
         limited.read_to_end(&mut bytes).map_err(cannot)?;
+        let left = self.left.get().checked_sub(bytes.len() as u64);
+        self.left.set(left.ok_or_else(|| {
+            let most = MOST_BYTES >> 20;
+            let what =
+                format!("the files that the scene names are larger than {most} MiB together");
+            MeshError::new(what, "fewer or smaller meshes")
+        })?);
         Ok(bytes)
     }
 
+    /// The path as errors show it.
+    pub(super) fn shown(&self, path: &str) -> String {
+        self.folder().join(path).display().to_string()
+    }
+
     /// What would be right.
-    fn expected(&self) -> String {
+    pub(super) fn expected(&self) -> String {
         let names = mesh::BUILTIN.join(", ");
         let files = match &self.home {
             Home::Folder(_) => "a path relative to the scene's folder, which ends in .obj, .ply, \
@@ -179,6 +160,82 @@ impl Files {
         };
         format!("{files}, or one of {names}")
     }
+
+    /// The folder that paths are relative to; empty for the current one.
+    fn folder(&self) -> &Path {
+        match &self.home {
+            Home::Folder(folder) => folder,
+            Home::Program => Path::new(""),
+        }
+    }
+
+    /// Whether a place without links and dots is in the scene's folder.
+    fn is_inside(&self, place: &Path) -> bool {
+        let home = match self.folder() {
+            folder if folder.as_os_str().is_empty() => Path::new("."),
+            folder => folder,
+        };
+        home.canonicalize()
+            .is_ok_and(|home| place.starts_with(home))
+    }
+
+    fn cannot_read(&self, path: &str, error: &std::io::Error) -> MeshError {
+        let (why, help) = match error.kind() {
+            ErrorKind::NotFound => (
+                "there is no such file".to_owned(),
+                self.like(path) + &self.expected(),
+            ),
+            ErrorKind::PermissionDenied => (
+                format!("the file cannot be read: {error}"),
+                "a file that you may read".to_owned(),
+            ),
+            _ => (format!("the file cannot be read: {error}"), self.expected()),
+        };
+        MeshError::new(why, help)
+    }
+
+    /// A question whether a file beside the one that is missing was meant; or nothing.
+    fn like(&self, path: &str) -> String {
+        let path = Path::new(path);
+        let whole = self.folder().join(path);
+        let folder = match whole.parent() {
+            Some(folder) if !folder.as_os_str().is_empty() => folder,
+            _ => Path::new("."),
+        };
+        let place = folder.canonicalize().ok();
+        let may_look = place.is_some_and(|place| self.allow_outside || self.is_inside(&place));
+        let (Some(name), true) = (path.file_name(), may_look) else {
+            return String::new();
+        };
+        let entries = folder.read_dir().into_iter().flatten().take(MOST_NAMES);
+        let names = entries.flatten().map(|entry| entry.file_name());
+        let is_like = |name: &PathBuf| {
+            let ending = name.extension().unwrap_or_default().to_string_lossy();
+            let is_mesh = ENDINGS.contains(&ending.to_lowercase().as_str());
+            is_mesh || name.extension() == path.extension()
+        };
+        let names = names.map(PathBuf::from).filter(is_like);
+        let names: Vec<String> = names.map(|it| it.to_string_lossy().into_owned()).collect();
+        let close =
+            super::error::nearest(&name.to_string_lossy(), names.iter().map(String::as_str));
+        let meant = close.first().map(|name| path.with_file_name(name));
+        meant.map_or(String::new(), |path| {
+            format!("did you mean `{}`? ", path.display())
+        })
+    }
+}
+
+/// The folder of a scene's file; empty for the current one.
+fn folder_of(file: &str) -> PathBuf {
+    let folder = Path::new(file).parent().unwrap_or(Path::new(""));
+    let place = folder.canonicalize().unwrap_or_default();
+    // What comes in through a pipe has no folder of its own.
+    let is_descriptors = place.starts_with("/dev/fd")
+        || (place.starts_with("/proc") && place.file_name().is_some_and(|name| name == "fd"));
+    if place == Path::new("/dev") || is_descriptors {
+        return PathBuf::new();
+    }
+    folder.to_owned()
 }
 
 fn outside(what: &str) -> MeshError {

@@ -59,6 +59,17 @@ pub enum GenerationShape {
         /// From its centre to its farthest point, 0 ..= 1,000,000.
         radius: f32,
     },
+    /// Of systems: on rings that run over a sphere, from the local origin on.
+    Rings {
+        /// Of the sphere, 0.001 ..= 1,000,000.
+        radius: f32,
+        /// World units a frame along the sphere, 0.000001 ..= 10,000.
+        wall_speed: f32,
+        /// Frames from one ring to the next, 1 ..= 65,000. Default 1.
+        ring_frames: u32,
+        /// Systems a world unit of circumference, 0 ..= 10,000.
+        density: f32,
+    },
     /// Uniform on the faces of a mesh; particles leave along the normal of theirs.
     Mesh {
         /// The faces.

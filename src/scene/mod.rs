@@ -17,8 +17,10 @@ mod files;
 mod fire;
 mod flock;
 mod generation;
+mod inherit;
 mod knobs;
 mod load;
+mod meshes;
 mod parse;
 mod picture;
 mod read;
@@ -43,12 +45,15 @@ pub use extinction::{Extinction, Side};
 pub use fire::{Burning, Fire, ListedFlame, Profile, RampStop, Roots};
 pub use flock::{BoidShape, Corners, Dimensions, Edges, Flock, Relation, RelationKind, Rule};
 pub use generation::{Attractor, EjectionAxis, EjectionSpread, GenerationShape};
+pub use inherit::Inherit;
 pub use knobs::{Knob, KnobValue};
 pub use load::{Loader, knobs, load, load_with, parse};
-pub use picture::{Camera, Image, Layer, Light, Projection, ShutterWeighting};
+pub(crate) use parse::Draft;
+pub use picture::{Camera, Image, Lamp, Layer, Light, Planet, Projection, ShutterWeighting};
 pub(crate) use set::Set;
 pub use system::{
-    Blend, Integration, Intensity, ParticleShape, ParticleSpace, Shading, StreakLight, System,
+    Blend, ChildUp, Integration, Intensity, ParticleShape, ParticleSpace, Shading, StreakLight,
+    System,
 };
 pub use tracks::{Interpolation, Key, Owner, Track};
 pub use wind::{Turbulence, Wind};
@@ -90,6 +95,9 @@ pub struct Scene {
     pub seed: u64,
     /// Most particles alive at once, 1 ..= 1,000,000,000; `None` means a bound computed from births and lifetimes.
     pub capacity: Option<u32>,
+    /// Most systems that others bear at once, 1 ..= 16,384; `None` means a bound computed from births
+    /// and lifetimes.
+    pub max_systems: Option<u32>,
     /// How many are alive once births and deaths balance, 1 ..= 1,000,000,000; `None` where they
     /// never do, or nobody has counted. Benchmarks scale births by it.
     pub steady_particles: Option<u32>,
@@ -106,6 +114,10 @@ pub struct Scene {
     pub flocks: Vec<Flock>,
     /// The fires, in the order of the file, at most 64; names unique.
     pub fires: Vec<Fire>,
+    /// A ball with a surface.
+    pub planet: Option<Planet>,
+    /// Lights near it, at most 16.
+    pub lamps: Vec<Lamp>,
     /// The parts of the wind, at most 16; it is their sum.
     pub winds: Vec<Wind>,
     /// Planes that split the picture into layers, at most 8.
@@ -122,6 +134,12 @@ impl Scene {
             return vec!["particles".into()];
         }
         names.chain(["rest".into()]).collect()
+    }
+
+    /// Whether what the system of that name bears are systems.
+    pub fn bears_systems(&self, name: &str) -> bool {
+        let parents = self.systems.iter().filter_map(|one| one.parent.as_deref());
+        parents.into_iter().any(|parent| parent == name)
     }
 
     /// The meshes that its systems are born on, and that its flames stand on, each once.

@@ -49,6 +49,37 @@ pub struct Layer {
     pub normal: [f32; 3],
 }
 
+/// A ball with a surface, which hides what is behind it (Reeves 1983, section 3).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Planet {
+    /// Its centre, world space. Default the origin.
+    pub center: [f32; 3],
+    /// Its radius, world units, 0.001 ..= 1,000,000.
+    pub radius: f32,
+    /// The part of the light that it reflects, each 0 ..= 1. Default 0.3.
+    pub color: [f32; 3],
+    /// How rough its ground looks, as a slope, 0 ..= 10. Default 0.
+    pub relief: f32,
+    /// How far its colour strays, as a share, 0 ..= 1. Default 0.
+    pub contrast: f32,
+    /// Noise cells a world unit, 0 ..= 10,000. Default 1.
+    pub scale: f32,
+    /// Patterns on top of each other, 1 ..= 8. Default 5.
+    pub octaves: u32,
+}
+
+/// A light near the planet (Reeves 1983, section 3).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lamp {
+    /// Where it is, world space.
+    pub position: [f32; 3],
+    /// What it makes of white that it falls on straight, at its distance, each 0 ..= 1,000,000.
+    pub color: [f32; 3],
+    /// Where light is as the colour says, world units, 0.001 ..= 1,000,000; it falls with the squared
+    /// distance. Default 1.
+    pub distance: f32,
+}
+
 /// How the camera sees depth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Projection {

@@ -6,8 +6,8 @@
 use std::borrow::Cow;
 
 use super::SceneError;
-use super::error::{did_you_mean, shortened};
-use super::expect::{example, expected, several};
+use super::error::{did_you_mean_one_of, shortened};
+use super::expect::{example, expected, keys_in_words, several};
 use super::schema::{self, Field, Kind, Limits, Presence};
 use super::tracks;
 use super::tree::{self, At, Entry, Node, Value};
@@ -37,7 +37,6 @@ impl<'a> Reader<'a> {
     ) -> Result<Self, SceneError> {
         let fields = fields.into();
         let keys = || fields.iter().map(|field| field.key);
-        let known = keys().collect::<Vec<_>>().join(", ");
         let place = match path.as_str() {
             "" => "at the top of a scene".to_owned(),
             path => format!("in `{path}`"),
@@ -46,14 +45,14 @@ impl<'a> Reader<'a> {
             let what = format!("`{path}` must be a table, found {}", node.describe());
             return Err(node
                 .at
-                .error(what, format!("a table with the keys {known}")));
+                .error(what, format!("a table with {}", keys_in_words(&fields))));
         };
         if let Some(Entry { key, at, .. }) = entries.iter().find(|e| !keys().any(|k| k == e.key)) {
             let guess = match outer_table(&path, key) {
-                outer if outer.is_empty() => did_you_mean(key, keys()),
+                outer if outer.is_empty() => did_you_mean_one_of(key, keys()),
                 outer => outer,
             };
-            let help = format!("{guess}The keys here are {known}");
+            let help = format!("{guess}The table has {}", keys_in_words(&fields));
             let key = shortened(key);
             return Err(at.error(format!("there is no key `{key}` {place}"), help));
         }

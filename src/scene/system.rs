@@ -2,7 +2,7 @@
 
 use super::{
     BirthMoment, BirthRounding, Births, Burst, Changing, EjectionAxis, EjectionSpread, Extinction,
-    GenerationShape, Spread,
+    GenerationShape, Inherit, Spread,
 };
 
 /// One particle system (Reeves 1983, section 2).
@@ -11,6 +11,13 @@ pub struct System {
     /// Unique name; its hash is part of every particle's identity. A letter or `_`, then letters,
     /// digits, `-` and `_`, at most 64 characters, so that it can stand in paths and file names.
     pub name: String,
+    /// Name of the system that bears systems of this kind (2.6); this one then stands for all of
+    /// them, and its place is in the space that each is born in. `None`: it is one of its own.
+    pub parent: Option<String>,
+    /// Which way is up for those of its kind. Default the parent's.
+    pub child_up: ChildUp,
+    /// How much those of its kind differ. Default not at all.
+    pub inherit: Inherit,
     /// Origin, world space (2.2), each -1,000,000 ..= 1,000,000. Default 0.
     pub position: [f32; 3],
     /// Two angles of rotation: first about x, then about y (2.2). Local +z is the system's "up".
@@ -57,9 +64,11 @@ pub struct System {
     /// Radius (half-width for rectangles), world units, mean 0.000001 ..= 10,000 (2.2). The var
     /// may be larger than the mean.
     pub size: Changing<f32>,
-    /// Added to the velocity each frame, world space, units a frame squared, each
-    /// -10,000 ..= 10,000 (2.3). Default 0.
+    /// Added to the velocity each frame, units a frame squared, each -10,000 ..= 10,000 (2.3).
+    /// Default 0.
     pub acceleration: [f32; 3],
+    /// Whose directions that has. Default the world's.
+    pub acceleration_space: ParticleSpace,
     /// The part of its velocity against the wind that a particle loses each frame, 0 ..= 1.
     /// Default 0: it feels neither air nor wind.
     pub drag: f32,
@@ -85,6 +94,15 @@ pub struct System {
     /// Distance at which a particle's light is as its colour says, falling with the square of the
     /// distance, 0.000001 ..= 1,000,000; `None`: light does not depend on it (2.5, further work).
     pub light_distance: Option<f32>,
+}
+
+/// Which way is up for a system that another one has borne.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ChildUp {
+    /// As its parent's.
+    Parent,
+    /// Away from the parent's generation shape.
+    Outward,
 }
 
 /// How particles and what is behind them share a pixel.

@@ -69,6 +69,11 @@ impl At {
         SceneError::located(what, (file, text, *first_line), self.span.clone(), help)
     }
 
+    /// The place as errors name it: file, line and column.
+    pub(super) fn shown(&self) -> String {
+        self.error("", "").location()
+    }
+
     /// The line that this place is on, from 1.
     pub(super) fn line(&self) -> usize {
         let before = self.source.text.bytes().take(self.span.start);

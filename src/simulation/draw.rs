@@ -81,6 +81,10 @@ impl Simulation {
         };
         let mut inputs = inputs.clone();
         inputs.frame.background = [0.0; 4];
+        // The planet is of no layer: it hides, and shows nothing of itself.
+        for planet in &mut inputs.planets {
+            planet.color = [0.0; 4];
+        }
         inputs.frame.layer = if inputs.layer_planes.is_empty() {
             0
         } else {

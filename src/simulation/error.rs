@@ -42,7 +42,7 @@ impl std::fmt::Display for SimulationError {
             Self::Snapshot(e) => write!(f, "error: {e}\n  = help: begin without it"),
             Self::NoAdapter { wanted, available } => write!(
                 f,
-                "error: no adapter's name or driver contains `{wanted}`\n  = help: there are {}",
+                "error: no adapter's name or driver contains `{wanted}`\n  = help: adapters here: {}",
                 available.join(", ")
             ),
         }

@@ -8,7 +8,19 @@ use crate::plan::{FrameInputs, Plan, PlanError};
 /// Whether lists of the caller's making are as long as the plan's, or as they can be.
 pub(super) fn check_sizes(plan: &Plan, inputs: &FrameInputs) -> Result<(), PlanError> {
     let refuse = |message: String, help: String| Err(PlanError { message, help });
-    let slots = plan.system_count as usize;
+    let slots = plan.own_system_count as usize;
+    let of_tree = if plan.tree_levels > 0 { slots } else { 0 };
+    let lists = [
+        inputs.poses.len(),
+        inputs.broods.len(),
+        inputs.row_spreads.len(),
+    ];
+    if lists.iter().any(|len| *len != of_tree) {
+        return refuse(
+            "inputs for other systems that bear systems than the plan's".into(),
+            format!("{of_tree} poses, broods and spreads of rows"),
+        );
+    }
     if inputs.systems.len() != slots || inputs.rows.len() != slots {
         return refuse(
             format!(
@@ -22,6 +34,8 @@ pub(super) fn check_sizes(plan: &Plan, inputs: &FrameInputs) -> Result<(), PlanE
     for (what, count, most) in [
         ("bounds", inputs.bounds.len(), Plan::MOST_BOUNDS),
         ("winds", inputs.winds.len(), Plan::MOST_WINDS),
+        ("planets", inputs.planets.len(), u32::from(plan.uses.planet)),
+        ("lamps", inputs.lamps.len(), Plan::MOST_LAMPS),
         ("layer planes", inputs.layer_planes.len(), Plan::MOST_LAYERS),
     ] {
         if count > most as usize {

@@ -3,6 +3,7 @@
 mod adapter;
 mod draw;
 mod error;
+mod flock_metrics;
 mod inputs;
 mod lines;
 mod radiance;
@@ -12,6 +13,7 @@ mod snapshot;
 pub use crate::gpu::{AdapterDescription, ParticleBuffers, TextureError, UnfitDevice, adapters};
 pub use adapter::{AdapterChoice, adapter_names};
 pub use error::SimulationError;
+pub use flock_metrics::FlockMetrics;
 pub use lines::Line;
 pub use radiance::linear_of;
 pub use read::{BoidState, FlameState, ParticleState};
@@ -140,6 +142,9 @@ impl Simulation {
             layer_plane_count: inputs.layer_planes.len() as u32,
             ..self.plan.bounded(inputs.frame)
         };
+        if self.inputs.is_none() {
+            self.grow_tree(self.next_frame)?;
+        }
         self.backend.step(&inputs)?;
         self.inputs = Some(inputs);
         self.next_frame += 1;

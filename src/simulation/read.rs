@@ -1,5 +1,7 @@
 //! What comes back from a simulation: particles, statistics, digests.
 
+use std::borrow::Cow;
+
 use bytemuck::{Pod, Zeroable};
 
 use super::lines::line_of;
@@ -9,8 +11,10 @@ use crate::cpu::boid::boid_id;
 use crate::cpu::particle::{STREAM_PLACE, draw, identity_of, lifetime_of, row_index};
 use crate::cpu::projection::world_of;
 use crate::exact::dot3;
-use crate::layout::{Boid, FLAME_STEPS, Flame, FrameStats, Particle, SYSTEM_PARABOLIC, SystemRow};
-use crate::plan::{FrameInputs, Population};
+use crate::layout::{
+    Boid, FLAME_STEPS, Flame, FrameStats, Particle, SYSTEM_PARABOLIC, SystemFrame, SystemRow,
+};
+use crate::plan::{FrameInputs, Plan, Population};
 
 /// A live particle, for people: world space, units a frame, frames. Its bytes are those of a
 /// record of a dump: 40, no padding.
@@ -121,6 +125,45 @@ impl Simulation {
         let burning = flames.iter().enumerate().filter(|(_, flame)| flame.burns());
         Ok(burning.map(|(at, flame)| (at, state(flame))).collect())
     }
+}
+
+/// Systems that others have borne: their frames now, and their rows of all frames that count.
+#[derive(Default)]
+struct Borne {
+    systems: Vec<SystemFrame>,
+    rows: Vec<SystemRow>,
+}
+
+impl Borne {
+    /// The inputs with them.
+    fn filled<'a>(&self, inputs: &'a FrameInputs) -> Cow<'a, FrameInputs> {
+        if self.systems.is_empty() {
+            return Cow::Borrowed(inputs);
+        }
+        let mut filled = inputs.clone();
+        filled.systems.extend_from_slice(&self.systems);
+        Cow::Owned(filled)
+    }
+
+    /// Their rows of a frame.
+    fn rows_of<'a>(&'a self, plan: &Plan, frame: u32) -> impl Iterator<Item = SystemRow> + 'a {
+        let (first, mask) = (plan.own_system_count, plan.row_count - 1);
+        let slots = first..first + self.systems.len() as u32;
+        slots.map(move |slot| self.rows[row_index(slot, frame, mask)])
+    }
+}
+
+impl Simulation {
+    /// Systems that others have borne, as the backend has them.
+    fn borne(&mut self) -> Result<Borne, SimulationError> {
+        if self.plan.tree_levels == 0 {
+            return Ok(Borne::default());
+        }
+        Ok(Borne {
+            systems: bytemuck::pod_collect_to_vec(&self.backend.read("borne_systems")?),
+            rows: bytemuck::pod_collect_to_vec(&self.backend.read("rows")?),
+        })
+    }
 
     /// The boids, by flock and index; none before the first frame is stepped.
     ///
@@ -150,12 +193,13 @@ impl Simulation {
     /// The machine fails.
     pub fn particles(&mut self) -> Result<Vec<ParticleState>, SimulationError> {
         let mut states: Vec<ParticleState> = Vec::new();
+        let borne = self.borne()?;
         let words = self.backend.read("particles")?;
         let count = words.len() * 4 / size_of::<Particle>();
         states
             .try_reserve_exact(count)
             .map_err(|_| BackendError::OutOfMemory(format!("the states of {count} particles")))?;
-        self.for_each_particle(&words, |particle, inputs, rows| {
+        self.for_each_particle(&words, &borne, |particle, inputs, rows| {
             states.push(state_of(particle, inputs, rows));
         });
         Ok(states)
@@ -166,11 +210,13 @@ impl Simulation {
     fn for_each_particle(
         &self,
         words: &[u32],
+        borne: &Borne,
         mut take: impl FnMut(&Particle, &FrameInputs, &[SystemRow]),
     ) {
         let Some(inputs) = &self.inputs else {
             return;
         };
+        let inputs = &borne.filled(inputs);
         let particles: &[Particle] = bytemuck::cast_slice(words);
         let mut rows: Vec<SystemRow> = Vec::new();
         let mut rows_frame = None;
@@ -178,6 +224,7 @@ impl Simulation {
             let (who, _) = identity_of(particle, inputs);
             if rows_frame != Some(who.birth_frame) {
                 rows = self.plan.inputs(who.birth_frame).rows;
+                rows.extend(borne.rows_of(&self.plan, who.birth_frame));
                 rows_frame = Some(who.birth_frame);
             }
             take(particle, inputs, &rows);
@@ -191,8 +238,9 @@ impl Simulation {
     /// The machine fails.
     pub fn lines(&mut self) -> Result<Vec<Line>, SimulationError> {
         let mut lines = Vec::new();
+        let borne = self.borne()?;
         let words = self.backend.read("particles")?;
-        self.for_each_particle(&words, |particle, inputs, rows| {
+        self.for_each_particle(&words, &borne, |particle, inputs, rows| {
             lines.extend(line_of(particle, inputs, rows));
         });
         Ok(lines)

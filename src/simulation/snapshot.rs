@@ -10,6 +10,7 @@ use super::{Simulation, SimulationError};
 use crate::backend::Living;
 use crate::cpu::digest;
 use crate::layout::{Boid, Particle};
+use crate::plan::Stage;
 
 /// What the bytes of a snapshot begin with; the last is the version of what follows.
 const MAGIC: &[u8; 8] = b"motes-s\x02";
@@ -181,6 +182,11 @@ impl Simulation {
     /// [`SimulationError::Snapshot`] where it is of another run, as far as can be told; the machine
     /// fails.
     pub fn restore(&mut self, snapshot: &Snapshot) -> Result<(), SimulationError> {
+        self.put_living(snapshot)?;
+        self.grow_tree(self.next_frame)
+    }
+
+    fn put_living(&mut self, snapshot: &Snapshot) -> Result<(), SimulationError> {
         let plan = &self.plan;
         let living = snapshot.living();
         let (particles, _) = living.particles.as_chunks::<PARTICLE_WORDS>();
@@ -213,6 +219,19 @@ impl Simulation {
         self.backend.restore(&living, &recent)?;
         self.inputs = recent.into_iter().last();
         self.next_frame = snapshot.frame + 1;
+        Ok(())
+    }
+
+    /// Bears the systems of all frames before this one, without their particles: they are hashes of
+    /// their parents' keys and of their births, and few (Reeves 1983, section 3; RA12).
+    pub(super) fn grow_tree(&mut self, before: i32) -> Result<(), SimulationError> {
+        if self.plan.tree_levels == 0 {
+            return Ok(());
+        }
+        for frame in self.plan.first_frame..before {
+            let inputs = self.plan.inputs(frame.cast_unsigned());
+            self.backend.run_stage(Stage::Tree, &inputs)?;
+        }
         Ok(())
     }
 

@@ -1,7 +1,9 @@
 //! Kernels alone.
 
+use motes::backend::Backend;
 use motes::bench::{Clock, Measure, Target, micro};
-use motes::gpu::{Yardstick, YardstickMemory, dispatch::dispatch_for};
+use motes::gpu::{GpuOptions, SortYardstick, Yardstick, YardstickMemory, dispatch::dispatch_for};
+use motes::plan::Plan;
 
 use crate::{common, counted, targets};
 
@@ -42,6 +44,12 @@ fn kernels_alone_have_the_work_that_they_say() {
         assert!(pixels.contains("490.6 pixels each") && pixels.contains("ns a covered pixel"));
         if let Target::Gpu(_) = target {
             assert_eq!(of(&measures, "scan").items, 3000);
+            // Keys are read twice, pairs read and written once, in each of four passes; six runs of
+            // 512 pairs have 256 counts each.
+            let counts = 4 * 6 * 256;
+            let sort = of(&measures, "sort");
+            let bytes = 4 * 3000 * 20 + 4 * (counts * 4) + 4 * 256 * 4 * 4;
+            assert_eq!((sort.items, sort.bytes), (3000, bytes));
             let fastest = measures
                 .iter()
                 .filter(|measure| measure.name.starts_with("form_"))
@@ -110,6 +118,56 @@ fn yardsticks_do_their_work_at_every_size() {
         }
     });
     assert_eq!(dispatch_for(0, 64), (0, 0));
+}
+
+/// Against the standard library's; and again, for what is timed is to be the same each time.
+#[test]
+fn the_sort_alone_sorts() {
+    common::on_each_adapter(|name, device| {
+        for pairs in [1, 511, 513, 70_001] {
+            let mut sort = SortYardstick::new(device, pairs, 64).expect("there is room");
+            let words = sort.read_unsorted().expect("it is read");
+            let mut expected: Vec<[u32; 2]> =
+                words.chunks(2).map(|pair| [pair[0], pair[1]]).collect();
+            assert_eq!(expected.len(), pairs as usize);
+            expected.sort_by_key(|pair| pair[0]);
+            for _ in 0..2 {
+                sort.yardstick.run().expect("it runs");
+                let sorted = sort.read_sorted().expect("it is read");
+                let is_same = sorted.chunks(2).eq(expected.iter().map(|pair| &pair[..]));
+                assert!(is_same, "{pairs} on {name}");
+            }
+        }
+    });
+}
+
+/// More passes than a set of queries holds, between two calls that take their times.
+#[test]
+fn no_pass_goes_untimed_however_many_there_are() {
+    let plan = Plan::new(&crate::small(), 400).expect("it is planned");
+    let options = GpuOptions {
+        timed: true,
+        ..GpuOptions::default()
+    };
+    let device = common::open("llvmpipe");
+    let mut backend = common::on_gpu(&device, &plan, &options);
+    let frames = 300;
+    for frame in 0..frames {
+        backend.step(&plan.inputs(frame)).expect("it steps");
+    }
+    let times = backend.take_times().expect("they are there");
+    assert_eq!(times.len(), frames as usize);
+    let passes = times[0].len();
+    assert!(passes * 2 * frames as usize > 4096, "{passes} are too few");
+    for (frame, kernels) in times.iter().enumerate() {
+        assert_eq!(kernels.len(), passes, "frame {frame}");
+        let sane = |ms: f64| ms >= 0.0 && ms < 60e3;
+        assert!(kernels.iter().all(|(_, ms)| sane(*ms)), "{kernels:?}");
+        assert!(kernels.iter().any(|(_, ms)| *ms > 0.0), "frame {frame}");
+    }
+    backend.step(&plan.inputs(frames)).expect("it steps");
+    let again = backend.take_times().expect("they are there");
+    assert_eq!((again.len(), again[0].len()), (1, passes));
 }
 
 #[test]

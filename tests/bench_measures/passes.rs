@@ -115,12 +115,19 @@ fn items_and_bytes_are_what_the_frame_had() {
     for (target, run) in targets().iter().zip(measured(&targets(), &scene, 1)) {
         assert_eq!((run.live, run.warm_up_frames), (Some(1000), 40));
         assert_eq!((run.particles, run.dropped), (1000, 0));
+        let far = run.copy_kernel_gb_per_s.expect("a copy beside it");
+        assert!(run.copy_in_cache_gb_per_s.is_some_and(|near| near >= far));
+        let bytes = (4_194_304u64 * 64) as f64;
+        let copy_ms = run.copy_ms.as_ref().expect("its samples").median;
+        assert!((far * copy_ms * 1e6 / bytes - 1.0).abs() < 1e-6);
+        let is_device = matches!(target, Target::Gpu(_));
+        assert_eq!(run.dispatch_ms.is_some(), is_device);
         // 1025 particles are 33 words, in one run, in one run of runs.
         let kernels: &[(&str, u64, u64)] = &[
             ("systems/births", 1, plan_frame_bytes() + 4),
             ("systems/offsets", 1, 8),
             ("particles/emit", 25, 25 * 32),
-            ("particles/cull", 1025, 1025 * 8 + 33 * 4),
+            ("particles/cull", 1025, (25 + 33) * 8 + 33 * 4),
             ("scan/count_bits", 33, 34 * 4),
             ("scan/sum_runs", 1, 8),
             ("scan/survivors", 1, 8),
@@ -148,7 +155,8 @@ fn items_and_bytes_are_what_the_frame_had() {
             let rate = pass.gb_per_s.unwrap_or(0.0) * pass.ms.median * 1e6;
             let off = (rate - *bytes as f64).abs();
             assert!(off <= 1e-3 * *bytes as f64, "{name}: {rate}");
-            let copy = run.copy_kernel_gb_per_s.expect("a copy beside it");
+            // All of this fits in a cache.
+            let copy = run.copy_in_cache_gb_per_s.expect("a copy beside it");
             if let (Some(share), Some(rate)) = (pass.share_of_copy, pass.gb_per_s) {
                 assert!((share * copy - rate).abs() <= 1e-6 * rate, "{name}");
             }
@@ -174,6 +182,30 @@ fn particles_that_cover_many_pixels_are_items_of_their_own_kernel() {
             let work = pass(&run, "draw/splat_large");
             // All that are seen: the camera has them all before it.
             assert_eq!((work.items, work.bytes), (80, 80 * 36));
+        }
+    }
+}
+
+/// Whatever is in a scene is measured by the same harness; passes that take turns are told together.
+#[test]
+fn flocks_and_what_covers_are_measured_as_anything_else() {
+    let mut scene = motes::scene::load("flock").expect("it is built in");
+    (scene.image.width, scene.image.height) = (96, 54);
+    for (target, run) in targets().iter().zip(measured(&targets(), &scene, 2)) {
+        assert_eq!((run.live, run.warnings.len()), (Some(500), 0), "{run:?}");
+        if let Target::Gpu(_) = target {
+            assert_eq!(pass(&run, "flock/steer").items, 500);
+            assert_eq!(pass(&run, "draw/boid_shapes").items, 500);
+            assert_eq!(pass(&run, "sort/place_digits").items, 4 * 500);
+            if run.frame_ms.clock == Clock::GpuTimestamps {
+                // Four passes of 8 bits.
+                assert_eq!(pass(&run, "sort/place_digits").dispatches, Some(4));
+                let (ms, count) = run.dispatches_ms().expect("it has dispatches");
+                let expected = run.passes.len() as u32 + 4 * 3;
+                assert!(count >= expected, "{count} of {expected}");
+                let each = run.dispatch_ms.as_ref().expect("measured").median;
+                assert!((ms - each * f64::from(count)).abs() < 1e-9);
+            }
         }
     }
 }

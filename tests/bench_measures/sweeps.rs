@@ -134,6 +134,23 @@ fn what_does_not_scale_or_scales_too_far_is_refused_before_anything_runs() {
     assert_eq!(asked, 0);
 }
 
+/// Scenes of flocks alone have as many boids as asked for, and no more than a file may have.
+#[test]
+fn r87_scenes_of_boids_scale_by_boids() {
+    let mut scene = motes::scene::load("crossed-flocks").expect("it is built in");
+    (scene.image.width, scene.image.height) = (64, 36);
+    assert!(scene.systems.is_empty() && scene.flocks.len() > 1);
+    let runs = run(&[Target::Cpu], &job(&scene, 900), &counted(2), &mut |_| {
+        true
+    });
+    let run = &runs.expect("it is measured")[0];
+    let live = run.live.expect("it is counted");
+    assert!(live.abs_diff(900) <= scene.flocks.len() as u64, "{live}");
+    assert_eq!(run.warnings, [""; 0]);
+    let error = job(&scene, 1_000_001).scaled().expect_err("too many");
+    assert!(error.is_users_fault() && error.to_string().contains("at most 1000000 boids"));
+}
+
 #[test]
 fn whoever_watches_may_stop_it_at_any_frame() {
     for most in [0, 1, 41, 43] {

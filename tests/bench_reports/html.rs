@@ -83,6 +83,9 @@ fn read(page: &str) -> Result<Vec<String>, String> {
         let end = rest[start..].find('>').ok_or("a tag without an end")? + start;
         let tag = &rest[start + 1..end];
         rest = &rest[end + 1..];
+        if let Some((_, title)) = tag.split_once(" title=\"") {
+            titles.push(title.split('"').next().unwrap_or_default().to_owned());
+        }
         if tag.matches('"').count() % 2 == 1 {
             return Err(format!("an odd quote in <{tag}>"));
         }
@@ -104,7 +107,8 @@ fn read(page: &str) -> Result<Vec<String>, String> {
 #[test]
 fn a_page_is_whole_and_by_itself() {
     let records = records();
-    let page = html(&records);
+    let files = ["a.json", "b.json", "c<d>.json"].map(str::to_owned);
+    let page = html(&records, &files);
     if let Some(path) = std::env::var_os("KEEP_PAGE") {
         std::fs::write(path, &page).expect("it can be written");
     }
@@ -136,6 +140,26 @@ fn a_page_is_whole_and_by_itself() {
     }
     assert!(page.contains("Example 3000 &lt;dual&gt; &amp; &quot;fast&quot;"));
     assert!(page.contains("SwiftShader: share of a frame"));
+    for file in ["a.json", "b.json", "c&lt;d&gt;.json"] {
+        assert!(page.contains(&format!(">{file}</div>")), "{file}");
+    }
+}
+
+/// What makes numbers doubtful stands before them, not folded away.
+#[test]
+fn warnings_come_first_and_in_full() {
+    let mut records = records();
+    records[0]
+        .warnings
+        .push("built without optimisation".into());
+    records[1].runs[2]
+        .warnings
+        .push("births were dropped".into());
+    let page = html(&records, &[]);
+    let place = |words: &str| page.find(words).unwrap_or_else(|| panic!("{words}"));
+    let charts = place("From few particles to many");
+    assert!(place("<b>llvmpipe</b>: built without optimisation") < charts);
+    assert!(place("<b>SwiftShader, million at 1 M</b>: births were dropped") < charts);
 }
 
 fn three_digits(ms: f64) -> String {
@@ -143,35 +167,63 @@ fn three_digits(ms: f64) -> String {
     format!("{ms:.decimals$} ms")
 }
 
-/// Bars of a frame are as long as their passes are: read back from the picture.
+/// Pieces of a frame are as long, and called, as the table has them: shares of the frame's median.
 #[test]
-fn pieces_of_a_bar_are_in_proportion() {
-    let record = LLVMPIPE.record(&[1_000_000]);
-    let page = html(std::slice::from_ref(&record));
-    let all: f64 = record.runs[0]
-        .passes
-        .iter()
-        .map(|pass| pass.ms.median)
-        .sum();
-    for pass in &record.runs[0].passes {
-        let at = page
-            .find(&format!("<title>{}: ", pass.name))
-            .expect("it is there");
-        let tag = &page[page[..at].rfind("<rect").expect("it is a bar's")..at];
-        let width = tag
-            .split("width=\"")
-            .nth(1)
-            .and_then(|rest| rest.split('"').next());
-        let width: f64 = width
-            .and_then(|it| it.parse().ok())
-            .expect("it is a number");
-        let expected = pass.ms.median / all * 870.0 - 1.0;
-        assert!(
-            (width - expected.max(0.3)).abs() < 0.02,
-            "{}: {width}, not {expected}",
-            pass.name
-        );
+fn pieces_of_a_bar_are_the_shares_of_the_table() {
+    let mut record = LLVMPIPE.record(&[1_000_000]);
+    // Medians of passes need not add up to that of the frame.
+    for ms in &mut record.runs[0].frame_ms.samples {
+        *ms *= 1.4;
     }
+    let samples = record.runs[0].frame_ms.samples.clone();
+    record.runs[0].frame_ms = motes::bench::Spread::new(samples, record.runs[0].frame_ms.clock);
+    let frame = record.runs[0].frame_ms.median;
+    let page = html(std::slice::from_ref(&record), &[]);
+    let table = motes::bench::table(&record);
+    for pass in &record.runs[0].passes {
+        let expected = pass.ms.median / frame * 100.0;
+        let told = format!("{expected:.1} %");
+        let line = table.lines().find(|line| line.contains(&pass.name));
+        assert!(line.expect("a line").ends_with(&told), "{line:?}: {told}");
+        let at = page
+            .find(&format!("title=\"{}: ", pass.name))
+            .expect("it is there");
+        let tag = &page[page[..at].rfind("<i ").expect("it is a bar's")..];
+        let tag = &tag[..tag.find('>').expect("it ends")];
+        assert!(tag.contains(&format!(", {told} of the frame")), "{tag}");
+        let width = tag
+            .split("width:")
+            .nth(1)
+            .and_then(|it| it.split('%').next());
+        let width: f64 = width.and_then(|it| it.parse().ok()).expect("a number");
+        assert!((width - expected).abs() < 1e-3, "{tag}: {expected}");
+    }
+}
+
+/// Names of lines stand at their ends: as high as the line, in its own picture.
+#[test]
+fn the_floor_is_named_where_it_ends() {
+    let record = LLVMPIPE.record(&[10_000, 1_000_000]);
+    let page = html(std::slice::from_ref(&record), &[]);
+    let end = page.find(">floor</text>").expect("it has a name");
+    let text = &page[page[..end].rfind("<text").expect("its tag")..end];
+    let number = |tag: &str, key: &str| -> f64 {
+        let value = tag.split(&format!(" {key}=\"")).nth(1);
+        let value = value.and_then(|it| it.split('"').next());
+        value.and_then(|it| it.parse().ok()).expect("a number")
+    };
+    let dots: Vec<&str> = page[..end]
+        .match_indices("<circle")
+        .map(|(at, _)| &page[at..at + page[at..].find("</circle>").expect("it ends")])
+        .collect();
+    let floors = dots.iter().filter(|dot| dot.contains(": floor "));
+    let last = floors.last().expect("it has a point");
+    assert!(last.contains("1,000,000"), "{last}");
+    assert!(
+        (number(text, "y") - number(last, "cy")).abs() < 40.0,
+        "{text} {last}"
+    );
+    assert!(number(text, "x") > number(last, "cx"), "{text} {last}");
 }
 
 #[test]
@@ -196,7 +248,7 @@ fn strange_records_make_a_page_too() {
         vec![empty.clone()],
         vec![empty, zeros.clone(), zeros],
     ] {
-        let page = html(&records);
+        let page = html(&records, &[]);
         read(&page).unwrap_or_else(|fault| panic!("{fault}"));
         assert!(!page.contains("NaN") && !page.contains("inf"), "{page}");
     }

@@ -3,6 +3,7 @@
 mod compare;
 mod csv;
 mod html;
+mod lone;
 mod program;
 mod schema;
 mod synthetic;

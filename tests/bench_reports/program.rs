@@ -58,7 +58,7 @@ fn the_exit_code_is_the_answer() {
     let code = |arguments: &[&str]| motes(folder.path(), arguments).status.code();
     assert_eq!(code(&["compare", "old.json", "new.json"]), Some(0));
     assert_eq!(
-        code(&["compare", "old.json", "new.json", "--fail-above", "20"]),
+        code(&["compare", "old.json", "new.json", "--fail-above", "10"]),
         Some(1)
     );
     assert_eq!(
@@ -113,7 +113,7 @@ fn the_report_says_the_same() {
         "old.json",
         "new.json",
         "--fail-above",
-        "20",
+        "10",
         "--json",
         "report.json",
     ];
@@ -207,6 +207,12 @@ fn records_are_shown_again() {
         (out.status.code(), out.stdout.as_slice()),
         (Some(0), &b""[..])
     );
+    let told = String::from_utf8(out.stderr).expect("it is text");
+    assert!(
+        told.contains("wrote all.html: a page of 2 records"),
+        "{told}"
+    );
+    assert!(told.contains("wrote all.csv: 30 measurements"), "{told}");
     let read =
         |name: &str| std::fs::read_to_string(folder.path().join(name)).expect("it was written");
     assert!(read("all.html").contains("<h1>Motes on llvmpipe, cpu</h1>"));

@@ -26,6 +26,15 @@ fn full() -> Record {
     run.copy_kernel_gb_per_s = Some(8.0);
     run.warnings.push("a".into());
     run.passes[0].note = Some("a".into());
+    run.passes[0].dispatches = Some(2);
+    run.passes[0].floor_ms = Some(0.01);
+    run.copy_in_cache_gb_per_s = Some(9.0);
+    run.copy_buffer_gb_per_s = Some(20.0);
+    let spread = || Some(Spread::new(vec![0.1, 0.2], Clock::Wall));
+    run.copy_ms = spread();
+    run.dispatch_ms = spread();
+    record.dispatch_ms = spread();
+    let run = &mut record.runs[0];
     run.wall_ms = Some(Spread::new(vec![1.0, 2.0], Clock::Wall));
     record
 }

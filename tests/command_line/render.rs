@@ -183,7 +183,8 @@ fn statistics_balance_and_name_every_frame() {
     assert_eq!(
         rows[0].join(","),
         "frame,population,kind,requested,born,died,live,dropped,digest,\
-         died_of_age,died_of_intensity,died_of_bounds"
+         died_of_age,died_of_intensity,died_of_bounds,\
+         polarisation,mean_speed,median_nearest_distance,mean_neighbours"
     );
     assert_eq!(rows.len() as u32, 1 + 2 * FRAMES);
     let mut live_before = 0;

@@ -6,6 +6,7 @@ mod common;
 mod edges;
 mod grid;
 mod looks;
+mod metrics;
 mod oracle;
 mod rules;
 mod runs;

@@ -11,7 +11,7 @@ pub(crate) fn buffer() -> Vec<u8> {
 }
 
 /// One triangle in two nodes: as it is, moved by its parent and scaled, and mirrored in a third.
-const NODES: &str = r#"{ "asset": { "version": "2.0" }, "scene": 0,
+pub(crate) const NODES: &str = r#"{ "asset": { "version": "2.0" }, "scene": 0,
 "scenes": [{ "nodes": [0, 2] }],
 "nodes": [
   { "name": "parent", "translation": [0, 0, 5], "children": [1], "mesh": 0 },
@@ -144,7 +144,7 @@ fn wrong_gltfs_are_refused() {
     let rows = [
         (String::new(), "not glTF's JSON"),
         ("{}".into(), "not glTF's JSON"),
-        (with("\"scene\": 0,\n", "\"scene\": 0\n"), "not glTF's JSON, at column"),
+        (with("\"scene\": 0,\n", "\"scene\": 0\n"), "not glTF's JSON: "),
         (with("\"children\": [1]", "\"children\": [0]"), "more than one parent"),
         (with("\"children\": [1]", "\"children\": [2]"), "more than one parent"),
         (with("\"children\": [1]", "\"children\": [7]"), "nodes[0].children"),
@@ -153,7 +153,7 @@ fn wrong_gltfs_are_refused() {
         (with("\"POSITION\": 0", "\"NORMAL\": 0"), "POSITION"),
         (with("\"count\": 3, \"type\": \"VEC3\"", "\"count\": 4, \"type\": \"VEC3\""), "accessor 0 has 4 items"),
         (with("\"count\": 3, \"type\": \"VEC3\"", "\"count\": 1000000000000, \"type\": \"VEC3\""), "accessor 0 has 1000000000000"),
-        (with("\"count\": 3, \"type\": \"SCALAR\"", "\"count\": 18446744073709551615, \"type\": \"SCALAR\""), "more than 4000000 triangles"),
+        (with("\"count\": 3, \"type\": \"SCALAR\"", "\"count\": 18446744073709551615, \"type\": \"SCALAR\""), "more than 2796202 triangles"),
         (with("\"count\": 3, \"type\": \"SCALAR\"", "\"count\": 2, \"type\": \"SCALAR\""), "2 corners"),
         (with("5126", "5125"), "accessor 0 of positions"),
         (with("5123", "5126"), "accessor 1 of indices"),
@@ -202,9 +202,65 @@ fn what_would_swell_is_refused() {
             .map(|it| format!("\"accessors\"{}", it.1))
             .expect("it has")
     );
-    let error = read(&json).expect_err("it has too many vertices");
+    let error = read(&json).expect_err("it shows too many");
     assert!(
-        error.what.contains("more than 12000000 vertices"),
+        error.what.contains("more than 1000000 primitives"),
         "{error}"
     );
+}
+
+#[test]
+fn nodes_that_add_nothing_are_bounded_too() {
+    // 1,001 nodes of 1,000 sets of points.
+    let list: Vec<String> = (0..1001).map(|at| at.to_string()).collect();
+    let node = r#"{ "mesh": 0 },"#.repeat(1001);
+    let points = r#"{ "attributes": { "POSITION": 0 }, "mode": 0 },"#.repeat(1000);
+    let rest = NODES.split_once("\"accessors\"").expect("it has").1;
+    let json = format!(
+        r#"{{ "asset": {{ "version": "2.0" }}, "scenes": [{{ "nodes": [{}] }}], "nodes": [{}],
+        "meshes": [{{ "primitives": [{}] }}], "accessors"{rest}"#,
+        list.join(","),
+        node.trim_end_matches(','),
+        points.trim_end_matches(','),
+    );
+    let error = read(&json).expect_err("it shows too many");
+    assert!(
+        error.what.contains("more than 1000000 primitives"),
+        "{error}"
+    );
+    assert_eq!(error.within.as_deref(), Some("nodes[1000]"), "{error}");
+}
+
+#[test]
+fn faults_have_the_path_of_their_object() {
+    #[rustfmt::skip]
+    let rows = [
+        ("\"children\": [1]", "\"children\": [0]", "nodes[0]"),
+        ("\"POSITION\": 0", "\"POSITION\": 9", "meshes[0].primitives[0]"),
+        ("\"count\": 3, \"type\": \"SCALAR\"", "\"count\": 2, \"type\": \"SCALAR\"", "meshes[0].primitives[0]"),
+        ("\"count\": 3, \"type\": \"VEC3\"", "\"count\": 4, \"type\": \"VEC3\"", "accessors[0]"),
+        ("5123", "5126", "accessors[1]"),
+        ("[0, 0, 5]", "[0, 0, 1e30]", "accessors[0], item 0"),
+        ("\"byteLength\": 36", "\"byteLength\": 400", "bufferViews[0]"),
+        ("three.bin", "data:;base64,####", "buffers[0]"),
+    ];
+    for (old, new, place) in rows {
+        let error = read(&NODES.replacen(old, new, 1)).expect_err(new);
+        assert_eq!(error.within.as_deref(), Some(place), "{error}");
+        assert!(error.to_string().starts_with(place), "{error}");
+    }
+    // Of text it is the line.
+    let error = read(&NODES.replace("\"scene\": 0,\n", "\"scene\": 0\n")).expect_err("a comma");
+    assert_eq!((error.line, error.column), (Some(2), Some(1)), "{error}");
+    let json = NODES.replace("\"scene\": 0,\n", "\"scene\": 0\n");
+    let read = |bytes: &[u8]| {
+        let read = Mesh::read("a.glb", bytes, &mut |_: &str| unreachable!());
+        read.expect_err("it is wrong").within.unwrap_or_default()
+    };
+    assert_eq!(read(&glb(&json, &buffer())), "line 2, column 1 of its JSON");
+    let whole = in_glb();
+    assert_eq!(read(&whole[..whole.len() - 1]), {
+        let binary = buffer().len().next_multiple_of(4) + 8;
+        format!("byte {}", whole.len() - binary)
+    });
 }

@@ -6,3 +6,4 @@ mod formats;
 mod gltf;
 mod mutated;
 mod shapes;
+mod together;

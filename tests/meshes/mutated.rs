@@ -129,11 +129,7 @@ fn a_mutated_mesh_is_a_mesh_or_an_error() {
             let begun = Instant::now();
             let read = Mesh::read(name, &bytes, &mut |path: &str| match path.len() {
                 0..20 => Ok(buffer()),
-                _ => Err(MeshError {
-                    what: "no such file".into(),
-                    line: None,
-                    help: "another".into(),
-                }),
+                _ => Err(MeshError::new("no such file", "another")),
             });
             assert!(begun.elapsed() < MOST_TIME, "{name}, {number}");
             match read {

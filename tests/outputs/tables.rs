@@ -3,7 +3,7 @@
 use std::fs;
 
 use motes::output::{Measured, ParticleCounts, StatsRow, StatsWriter, dump_path, write_particles};
-use motes::simulation::ParticleState;
+use motes::simulation::{FlockMetrics, ParticleState};
 
 use crate::{names_in, set};
 
@@ -82,11 +82,35 @@ fn stats_are_lines_of_the_contract() {
         died_of_intensity: 1,
         died_of_bounds: 2,
     };
+    let metrics = FlockMetrics {
+        count: 7,
+        polarisation: 0.25,
+        mean_speed: 1.5,
+        median_nearest_distance: Some(0.1),
+        mean_neighbours: 6.0,
+    };
+    let alone = FlockMetrics {
+        count: 1,
+        polarisation: 1.0,
+        mean_speed: 0.0,
+        median_nearest_distance: None,
+        mean_neighbours: 0.0,
+    };
     for (frame, population, measured, digest) in [
         (0, "particles", Measured::Particles(counts), None),
         (1, "a, \"b\"", Measured::Particles(counts), Some(u64::MAX)),
         (1, "image", Measured::Image, Some(0xABC)),
         (2, "image", Measured::Image, None),
+        (2, "starlings", Measured::Flock { born: 7, metrics }, None),
+        (
+            2,
+            "one",
+            Measured::Flock {
+                born: 0,
+                metrics: alone,
+            },
+            None,
+        ),
     ] {
         stats
             .row(&StatsRow {
@@ -102,11 +126,14 @@ fn stats_are_lines_of_the_contract() {
     assert_eq!(
         fs::read_to_string(&path).unwrap(),
         "frame,population,kind,requested,born,died,live,dropped,digest,\
-         died_of_age,died_of_intensity,died_of_bounds\n\
-         0,particles,particles,12,10,6,5000000000,2,,3,1,2\n\
-         1,\"a, \"\"b\"\"\",particles,12,10,6,5000000000,2,ffffffffffffffff,3,1,2\n\
-         1,image,image,,,,,,0000000000000abc,,,\n\
-         2,image,image,,,,,,,,,\n"
+         died_of_age,died_of_intensity,died_of_bounds,\
+         polarisation,mean_speed,median_nearest_distance,mean_neighbours\n\
+         0,particles,particles,12,10,6,5000000000,2,,3,1,2,,,,\n\
+         1,\"a, \"\"b\"\"\",particles,12,10,6,5000000000,2,ffffffffffffffff,3,1,2,,,,\n\
+         1,image,image,,,,,,0000000000000abc,,,,,,,\n\
+         2,image,image,,,,,,,,,,,,,\n\
+         2,starlings,flock,7,7,0,7,0,,,,,0.25,1.5,0.1,6\n\
+         2,one,flock,0,0,0,1,0,,,,,1,0,,0\n"
     );
     assert_eq!(names_in(path.parent().unwrap()), set(&["run.csv"]));
 }

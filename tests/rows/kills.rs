@@ -127,6 +127,7 @@ fn r31_deaths_are_counted_by_their_cause() {
                 dropped: 0,
                 died_of_intensity: causes[1],
                 died_of_bounds: causes[2],
+                ..FrameStats::default()
             };
             assert_eq!(lines, [line], "{on}");
             assert_eq!(line.live, before.len() as u32 + line.born - line.died);

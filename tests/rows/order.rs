@@ -49,7 +49,7 @@ fn r40_the_order_of_particles_does_not_matter() {
             words.iter().fold(salt, |sum, word| hash(sum ^ word))
         });
         for particle in &particles {
-            splat(particle, &inputs, &inputs.rows, &sums);
+            splat(particle, &inputs, &inputs.rows, &sums, false);
         }
         let same = |(at, &steps): (usize, &u64)| {
             let (low, high) = sums.limbs(at);

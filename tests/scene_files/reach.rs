@@ -2,10 +2,11 @@
 
 use motes::scene::{
     BirthMoment, BirthRounding, BirthUnit, Births, Blend, BoidShape, Burning, Burst, Camera,
-    Changing, Corners, Dimensions, Edges, EjectionAxis, EjectionSpread, Extinction, Fire, Flock,
-    GenerationShape, Image, Integration, Intensity, Layer, Light, ListedFlame, ParticleShape,
-    ParticleSpace, Profile, Projection, RampStop, Relation, RelationKind, Roots, Rule, Scene,
-    Shading, ShutterWeighting, Side, Spread, StreakLight, System, Turbulence, Wind,
+    Changing, ChildUp, Corners, Dimensions, Edges, EjectionAxis, EjectionSpread, Extinction, Fire,
+    Flock, GenerationShape, Image, Inherit, Integration, Intensity, Lamp, Layer, Light,
+    ListedFlame, ParticleShape, ParticleSpace, Planet, Profile, Projection, RampStop, Relation,
+    RelationKind, Roots, Rule, Scene, Shading, ShutterWeighting, Side, Spread, StreakLight, System,
+    Turbulence, Wind,
 };
 
 use crate::text::{FULL, MINIMAL, accepted};
@@ -14,6 +15,9 @@ use crate::text::{FULL, MINIMAL, accepted};
 fn minimal_system() -> System {
     System {
         name: "only".into(),
+        parent: None,
+        child_up: ChildUp::Parent,
+        inherit: Inherit::default(),
         position: [0.0; 3],
         rotation_degrees: [0.0; 2],
         first_frame: 0,
@@ -47,6 +51,7 @@ fn minimal_system() -> System {
         transparency: changing(spread(0.0, 0.0), 0.0, 0.0),
         size: changing(spread(0.02, 0.0), 0.0, 0.0),
         acceleration: [0.0; 3],
+        acceleration_space: ParticleSpace::World,
         drag: 0.0,
         integration: Integration::Euler,
         particle_shape: ParticleShape::Sphere,
@@ -83,6 +88,7 @@ fn what_is_not_written_has_the_documented_default() {
         frame_rate: 24,
         seed: 1,
         capacity: None,
+        max_systems: None,
         steady_particles: None,
         image: Image {
             width: 1280,
@@ -109,6 +115,8 @@ fn what_is_not_written_has_the_documented_default() {
         systems: vec![minimal_system()],
         flocks: vec![],
         fires: vec![],
+        planet: None,
+        lamps: vec![],
         winds: vec![],
         layers: vec![],
         tracks: vec![],
@@ -120,6 +128,9 @@ fn what_is_not_written_has_the_documented_default() {
 fn first_system() -> System {
     System {
         name: "first".into(),
+        parent: None,
+        child_up: ChildUp::Parent,
+        inherit: Inherit::default(),
         position: [1.0, 2.0, 3.0],
         rotation_degrees: [-90.0, 45.5],
         first_frame: 3,
@@ -168,6 +179,7 @@ fn first_system() -> System {
         transparency: changing(spread(0.25, 0.125), 0.5, 0.0625),
         size: changing(spread(0.02, 0.01), -0.001, 0.0005),
         acceleration: [0.0, -0.01, 0.0],
+        acceleration_space: ParticleSpace::World,
         drag: 0.05,
         integration: Integration::Parabola,
         particle_shape: ParticleShape::Streak,
@@ -204,10 +216,28 @@ fn first_system() -> System {
 #[test]
 fn every_key_of_a_system_reaches_its_place() {
     let scene = accepted(FULL);
-    assert_eq!(scene.systems.len(), 2);
+    assert_eq!(scene.systems.len(), 3);
     assert_eq!(scene.systems[0], first_system());
     let second = System {
         name: "second".into(),
+        parent: Some("rings".into()),
+        child_up: ChildUp::Outward,
+        acceleration_space: ParticleSpace::System,
+        inherit: Inherit {
+            mean_parts: 0.5,
+            var_parts: 0.25,
+            generation_scale: 0.125,
+            ejection_angle_degrees: 4.0,
+            speed: spread(0.1, 0.2),
+            lifetime: spread(3.0, 4.0),
+            color: changing(
+                spread([0.1, 0.2, 0.3], [0.4, 0.5, 0.6]),
+                [0.01, 0.02, 0.03],
+                [0.04, 0.05, 0.06],
+            ),
+            transparency: changing(spread(0.11, 0.12), 0.13, 0.14),
+            size: changing(spread(0.21, 0.22), 0.23, 0.24),
+        },
         births: Births {
             per: BirthUnit::ScreenArea,
             initial_mean_parts: 0.5,
@@ -384,6 +414,7 @@ fn every_other_key_reaches_its_place() {
         frame_rate: 30,
         seed: 0xfeed,
         capacity: Some(200_000),
+        max_systems: Some(300),
         steady_particles: Some(150_000),
         image: Image {
             width: 640,
@@ -410,6 +441,20 @@ fn every_other_key_reaches_its_place() {
         systems: scene.systems.clone(),
         flocks: flocks(),
         fires: vec![fire()],
+        planet: Some(Planet {
+            center: [1.0, 2.0, 3.0],
+            radius: 0.5,
+            color: [0.2, 0.3, 0.4],
+            relief: 0.6,
+            contrast: 0.7,
+            scale: 8.0,
+            octaves: 3,
+        }),
+        lamps: vec![Lamp {
+            position: [4.0, 5.0, 6.0],
+            color: [3.0, 2.0, 1.0],
+            distance: 2.5,
+        }],
         winds: vec![
             Wind::Uniform {
                 velocity: [0.01, 0.02, 0.03],

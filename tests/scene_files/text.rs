@@ -28,6 +28,7 @@ frames = 10
 frame_rate = 30
 seed = 0xfeed
 capacity = 200_000
+max_systems = 300
 steady_particles = 150_000
 [image]
 width = 640
@@ -48,6 +49,18 @@ near = 0.01
 direction = [-1, 2, 0.5]
 color = [1, 0.9, 0.8]
 ambient = [0.05, 0.06, 0.07]
+[planet]
+center = [1, 2, 3]
+radius = 0.5
+color = [0.2, 0.3, 0.4]
+relief = 0.6
+contrast = 0.7
+scale = 8
+octaves = 3
+[[lamp]]
+position = [4, 5, 6]
+color = [3, 2, 1]
+distance = 2.5
 [[system]]
 name = "first"
 position = [1, 2, 3]
@@ -114,6 +127,9 @@ max = [1, 2, -0.5]
 kills = "outside"
 [[system]]
 name = "second"
+parent = "rings"
+child_up = "outward"
+acceleration_space = "system"
 initial_mean_parts_per_area = 0.5
 delta_mean_parts_per_area = 0.1
 quadratic_mean_parts_per_area = 0.01
@@ -126,6 +142,23 @@ generation_shape = { kind = "circle", radius = 3 }
 speed = 1
 lifetime = 2
 color = [1, 1, 1]
+size = 1
+[system.inherit]
+mean_parts = 0.5
+var_parts = 0.25
+generation_scale = 0.125
+ejection_angle_degrees = 4
+speed = { mean = 0.1, var = 0.2 }
+lifetime = { mean = 3, var = 4 }
+color = { mean = [0.1, 0.2, 0.3], var = [0.4, 0.5, 0.6], rate = [0.01, 0.02, 0.03], rate_var = [0.04, 0.05, 0.06] }
+transparency = { mean = 0.11, var = 0.12, rate = 0.13, rate_var = 0.14 }
+size = { mean = 0.21, var = 0.22, rate = 0.23, rate_var = 0.24 }
+[[system]]
+name = "rings"
+initial_mean_parts = 2
+generation_shape = { kind = "circle", radius = 1 }
+speed = 0
+color = [0, 0, 0]
 size = 1
 [[flock]]
 name = "flock"
@@ -373,6 +406,9 @@ pub(crate) fn fields_of(section: &str) -> &'static [Field] {
                 "flame" => schema::FLAME,
                 "ramp" => schema::RAMP,
                 "burst" => schema::BURST,
+                "inherit" => schema::INHERIT,
+                "planet" => schema::PLANET,
+                "lamp" => schema::LAMP,
                 "layer" => schema::LAYER,
                 _ => panic!("no section {section}"),
             };

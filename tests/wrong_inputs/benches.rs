@@ -80,8 +80,8 @@ fn wrong_adapters_and_reports_are_refused_before_anything_is_measured() {
     let on =
         |adapter, said: &[&str]| Row::new(&["bench", "sparks.toml", "--adapter", adapter], said);
     all_are_refused(&[
-        on("nope", &["`nope`", "there are", "cpu"]),
-        on("cpu,nope", &["`nope`", "there are", "cpu"]),
+        on("nope", &["`nope`", "adapters here: ", "cpu"]),
+        on("cpu,nope", &["`nope`", "adapters here: ", "cpu"]),
         on(
             "cpu,cpu",
             &["`cpu,cpu` names cpu twice", "each adapter once"],
@@ -92,7 +92,7 @@ fn wrong_adapters_and_reports_are_refused_before_anything_is_measured() {
         bench(
             &["--json", "a", "--html", "a"],
             &[
-                "--json and --html would be written to the same file",
+                "--html and --json would be written to the same place",
                 "of its own",
             ],
         ),

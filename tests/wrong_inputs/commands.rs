@@ -152,7 +152,7 @@ fn wrong_names_are_answered_with_those_that_there_are() {
         ),
         Row::new(
             &["render", "sparks.toml", "--adapter", "nope", "-o", "a.gif"],
-            &["`nope`", "there are", "cpu"],
+            &["`nope`", "adapters here: ", "cpu"],
         ),
         Row::new(&["check", "nope"], &["`nope`", "built in are"]),
         Row::new(

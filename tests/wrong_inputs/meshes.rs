@@ -57,39 +57,39 @@ fn what_is_no_mesh_is_answered_with_the_key_and_the_file() {
         file(
             "w.obj",
             format!("{SQUARE}f 1 2 9\n"),
-            &["w.obj:5: ", "vertex 9", "from 1 to 4"],
+            &["--> w.obj:5:7", "5 | f 1 2 9", "vertex 9", "from 1 to 4"],
         ),
         file(
             "w.obj",
             format!("{SQUARE}f 1 2\n"),
-            &["w.obj:5: ", "2 corners", "at least 3"],
+            &["--> w.obj:5:1", "2 corners", "at least 3"],
         ),
         file(
             "w.obj",
             format!("{SQUARE}v NaN 0 0\n"),
-            &["w.obj:5: a coordinate is NaN"],
+            &["--> w.obj:5:1", "a coordinate is NaN"],
         ),
         file(
             "w.obj",
             format!("{SQUARE}v 1e9 0 0\n"),
-            &["w.obj:5: ", "1000000000", "1_000_000"],
+            &["--> w.obj:5:1", "1000000000", "1_000_000"],
         ),
         file(
             "w.obj",
             format!("{SQUARE}f 1 1 2\n"),
-            &["none of its 1 faces", "one line"],
+            &["its only face has no area", "one line"],
         ),
         file(
             "w.obj",
             vec![0x89, b'P', b'N', b'G', 0, 7, 0],
-            &["w.obj:1: ", "no line of an OBJ"],
+            &["--> w.obj:1:1", "no line of an OBJ"],
         ),
         file(
             "w.obj",
             format!("{SQUARE}\u{1b}[31m 1 2 3\n"),
-            &["w.obj:5: "],
+            &["--> w.obj:5:1"],
         ),
-        file("w.ply", "plx\n", &["w.ply:1: ", "begin with `ply`"]),
+        file("w.ply", "plx\n", &["--> w.ply:1:1", "begin with `ply`"]),
         file(
             "w.ply",
             "ply\nformat ascii 1.0\nelement vertex 9999999999\nproperty float x\nend_header\n1\n",
@@ -98,12 +98,12 @@ fn what_is_no_mesh_is_answered_with_the_key_and_the_file() {
         file(
             "w.ply",
             "ply\nformat ascii 1.0\nelement vertex 1\nproperty flaot x\nend_header\n1\n",
-            &["w.ply:4: `flaot`"],
+            &["--> w.ply:4:1", "`flaot`"],
         ),
         file(
             "w.gltf",
             "{ \"asset\": 5 }",
-            &["w.gltf:1: ", "not glTF's JSON"],
+            &["--> w.gltf:1:", "not glTF's JSON"],
         ),
         file(
             "w.gltf",
@@ -140,13 +140,13 @@ fn what_is_no_mesh_is_answered_with_the_key_and_the_file() {
 
 #[test]
 fn meshes_are_not_written_over() {
-    let said = ["is a mesh of the scene, and would be written over"];
+    let of_mesh = ["is a mesh of the scene, and would be written over"];
     let points = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
                   property float z\nelement face 1\nproperty list uchar int vertex_index\n\
                   end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
     let render = ["render", "w.toml", "--adapter", "cpu", "-o", "a.gif"];
     let row = |more: &[&str], name: &'static str, text: &str| {
-        Row::new(&[&render[..], more].concat(), &said)
+        Row::new(&[&render[..], more].concat(), &of_mesh)
             .file("w.toml", born_on(&format!("\"{name}\"")))
             .file(name, text)
     };
@@ -161,6 +161,35 @@ fn meshes_are_not_written_over() {
             "particles-0002.ply",
             points,
         ),
+        // One that only a change names.
+        Row::render(
+            &["-o", "a.gif", "--inputs", "r", "--stats", "w.obj"],
+            &of_mesh,
+        )
+        .file("w.obj", format!("{SQUARE}f 1 2 3\n"))
+        .file(
+            "r",
+            "3 system.sparks.generation_shape={ kind = \"mesh\", mesh = \"w.obj\" }\n",
+        ),
+        // A buffer that a mesh names.
+        Row::new(
+            &[&render[..], &["--stats", "d/../b.bin"]].concat(),
+            &["is a buffer of a mesh, and would be written over"],
+        )
+        .file("d/", "")
+        .file("w.toml", born_on("\"w.gltf\""))
+        .file("w.gltf", GLTF.replace("../../b.bin", "b.bin"))
+        .file("b.bin", triangle()),
+        Row::new(
+            &["bench", "w.toml", "--adapter", "cpu", "--json", "./w.obj"],
+            &of_mesh,
+        )
+        .file("w.toml", born_on("\"w.obj\""))
+        .file("w.obj", format!("{SQUARE}f 1 2 3\n")),
+        Row::new(&["check", "w.toml", "--junit", "d/../w.obj"], &of_mesh)
+            .file("d/", "")
+            .file("w.toml", born_on("\"w.obj\""))
+            .file("w.obj", format!("{SQUARE}f 1 2 3\n")),
     ]);
 }
 
@@ -212,7 +241,18 @@ fn paths_that_leave_the_scene_s_folder_are_answered_with_the_flag_that_lets_them
         )
         .file("w.toml", born_on("\"/dev/zero\"")),
         Row::new(&["scenes", "--allow-outside"], &["--knobs"]),
+        Row::new(
+            &["bench", "w.toml", "--adapter", "cpu"],
+            &["leaves the scene's folder", "--allow-outside"],
+        )
+        .file("w.toml", born_on("\"../w.obj\"")),
     ]);
+}
+
+/// The buffer of that.
+fn triangle() -> Vec<u8> {
+    let places = [0f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+    places.iter().flat_map(|x| x.to_le_bytes()).collect()
 }
 
 /// A triangle whose buffer is outside.

@@ -164,7 +164,35 @@ fn records_that_cannot_be_compared_are_told_apart() {
         ),
         row(
             &["report", "right.json", "--csv", "a", "--html", "a"],
-            &["the same file"],
+            &["the same place"],
+        ),
+        row(
+            &["report", "right.json", "--html", "./right.json"],
+            &["right.json is a record", "written over"],
+        ),
+        row(
+            &[
+                "report",
+                "right.json",
+                "other.json",
+                "--csv",
+                "folder/../other.json",
+            ],
+            &["other.json is a record", "written over"],
+        ),
+        with(
+            &["--json", "./right.json"],
+            &["right.json is a record", "written over"],
+        ),
+        row(
+            &[
+                "compare",
+                "right.json",
+                "right.json,none.json",
+                "--json",
+                "none.json",
+            ],
+            &["none.json is a record", "written over"],
         ),
         row(&["schema", "bench", "--markdown"], &["no page in Markdown"]),
         row(&["schema", "bnech"], &["'bnech'", "bench"]),
@@ -176,4 +204,31 @@ fn records_that_cannot_be_compared_are_told_apart() {
         with(&["--fail-above", ""], &["from 0 to 1000, e.g. 5"]),
         with(&["--json", "folder"], &["--json needs a file"]),
     ]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn records_without_an_end_are_not_waited_for() {
+    all_are_refused(&[
+        Row::new(
+            &["report", "/dev/zero"],
+            &["larger than 32 MiB", "--> /dev/zero"],
+        ),
+        Row::new(
+            &["compare", "/dev/zero", "/dev/zero"],
+            &["larger than 32 MiB"],
+        ),
+    ]);
+}
+
+#[test]
+fn many_measures_are_told_apart_in_time() {
+    let one = &RECORD[RECORD.find("{\"name\"").expect("it is there")..RECORD.len() - 3];
+    let many: Vec<String> = (0..100_000)
+        .map(|at| one.replacen("\"copy\"", &format!("\"a{at}\""), 1))
+        .collect();
+    let mut text = RECORD.replace(one, &many.join(","));
+    // The last is the first again.
+    text = text.replacen("\"a99999\"", "\"a0\"", 1);
+    all_are_refused(&[record(text, &["`a0` stands twice in micro"])]);
 }

@@ -144,6 +144,11 @@ impl Workshop {
         Ended::of(self.command(arguments).stdout(Stdio::piped()))
     }
 
+    /// A path in the folder.
+    pub(crate) fn path(&self, name: &str) -> std::path::PathBuf {
+        self.0.path().join(name)
+    }
+
     pub(crate) fn has(&self, name: &str) -> bool {
         self.0.path().join(name).is_file()
     }

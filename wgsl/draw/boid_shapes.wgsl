@@ -9,7 +9,7 @@
 
 #import motes::dispatch::linear_index
 #import motes::exact::{bits_of, cross3, dot3, less, normalize_exact}
-#import motes::footprint::is_visible
+#import motes::reach::is_visible
 #import motes::layout::{
     BOID_POINT, BOID_TRIANGLE, Boid, COVERS_OF_BOIDS, COVERS_SEEN, COVER_NONE, Counts, Cover, FlockFrame, Frame,
 }

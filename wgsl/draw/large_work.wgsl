@@ -1,7 +1,7 @@
 // large_work: how much work splat_large has in one page.
 //
-// One invocation. Reads: frame. Writes: large_particles (word 0, the count, becomes 0 for the next
-// frame and is kept in word 1), dispatches.
+// One invocation. Reads: frame. Writes: large_particles (counts become 0 for the next frame and are
+// kept behind), dispatches.
 // Invariant: splat_large looks at exactly the particles that splat has left to it.
 
 #import motes::dispatch::dispatch_for
@@ -21,10 +21,13 @@ var<immediate> pages: Pages;
 
 @compute @workgroup_size(1)
 fn large_work() {
-    let count = large_particles[0];
+    let few = large_particles[0];
+    let many = large_particles[1];
     large_particles[0] = 0u;
-    large_particles[1] = count;
+    large_particles[1] = 0u;
+    large_particles[2] = few;
+    large_particles[3] = many;
     let pairs = frame.page_count * (frame.page_count + 1u) / 2u;
     let place = 2u + 3u * frame.page_count + pairs + pages.page;
-    dispatches[place] = dispatch_for(count * SHARES, WORKGROUP_SIZE);
+    dispatches[place] = dispatch_for(few + many * SHARES, WORKGROUP_SIZE);
 }

@@ -5,7 +5,7 @@
 // something covers, plus its colour times the exposure and what shows of the background.
 // One invocation four pixels, so that loads and stores are of four words; buffers are padded to
 // whole fours, and what is past the picture's end is written as 0, for the digest.
-// Reads: frame, light_low, light_high, light_packed, cover_rg, cover_bt. Writes: image (RGBA, red
+// Reads: frame, light_low, light_high, light_packed, planet_pixels, cover_rg, cover_bt. Writes: image (RGBA, red
 // in the low byte, rows from the top).
 // Invariant: each pixel depends on its own sums alone.
 
@@ -18,6 +18,8 @@
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 // Whether anything covers.
 const COVERS: bool = #{COVERS};
+// Whether there is a planet behind that.
+const PLANET: bool = #{PLANET};
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read> light_low: array<vec4<u32>>;
@@ -25,8 +27,9 @@ const COVERS: bool = #{COVERS};
 @group(0) @binding(3) var<storage, read> cover_rg: array<vec2<u32>>;
 @group(0) @binding(4) var<storage, read> cover_bt: array<vec2<u32>>;
 @group(0) @binding(5) var<storage, read_write> image: array<vec4<u32>>;
+@group(0) @binding(6) var<storage, read> planet_pixels: array<vec4<u32>>;
 #if WIDE == true
-@group(0) @binding(6) var<storage, read> light_packed: array<vec4<u64>>;
+@group(0) @binding(7) var<storage, read> light_packed: array<vec4<u64>>;
 #endif
 
 fn byte_of(low: u32, high: u32, behind: f32) -> u32 {
@@ -48,6 +51,10 @@ fn pixel_of(pixel: u32, sums: Sums) -> u32 {
     let low = sums.low + sums.more;
     let high = sums.high + select(vec3<u32>(0u), vec3<u32>(1u), low < sums.more);
     var behind = frame.background.xyz;
+    if PLANET {
+        let ground = bitcast<vec4<f32>>(planet_pixels[pixel]);
+        behind = ground.xyz * frame.exposure + behind * ground.w;
+    }
     if COVERS {
         let rg = bitcast<vec2<f32>>(cover_rg[pixel]);
         let bt = bitcast<vec2<f32>>(cover_bt[pixel]);

@@ -8,7 +8,7 @@
 
 #import motes::dispatch::linear_index
 #import motes::exact::{dot3, f32_of_u32, less}
-#import motes::footprint::is_visible
+#import motes::reach::is_visible
 #import motes::layout::{
     COVERS_OF_PARTICLES, COVERS_SEEN, COVER_NONE, Counts, Cover, Frame, Particle, ROW_LIT_SPHERE, ROW_OVER, ROW_SOFTNESS_SHIFT,
     SystemFrame, SystemRow,

@@ -3,7 +3,7 @@
 //
 // Porter and Duff, "Compositing digital images" (1984), from near to far: `clear` is how much of what
 // is behind shows through all that has come before. Discs and segments cover a pixel by the distance
-// of its centre, with an edge one pixel wide (motes::footprint); squares and triangles by their area in
+// of its centre, with an edge one pixel wide (motes::reach); squares and triangles by their area in
 // it. Spheres are lit as Lambert has it. Outside its bounds a primitive covers exactly nothing, so a
 // pixel does not depend on which others it is looked up with.
 // Reads and writes no buffers. Invariant: exact on every driver; twin of src/cpu/cover.rs.
@@ -12,7 +12,7 @@
 #import motes::exact::{
     clamp_exact, f32_of_i32, less, max_exact, min_exact, reciprocal, snap, snap3, square_root, to_i32,
 }
-#import motes::footprint::overlap
+#import motes::reach::{center_of, overlap}
 #import motes::layout::{
     COVER_NONE, COVER_SEGMENT, COVER_SOFT_DISC, COVER_SQUARE, COVER_TRIANGLE, Cover,
 }
@@ -25,6 +25,8 @@ const LEAST_AREA: f32 = 0.000244140625f;
 const UPRIGHT: f32 = 0.00390625f;
 // What lies farther from the picture's corner counts as there.
 const FARTHEST: f32 = 1048576.0f;
+// A distance is wrong by less than this part of the largest number that it is made of.
+const ROUNDING: f32 = 0.0000038146973f;
 
 // Which kinds there may be, discs apart.
 struct Kinds {
@@ -47,15 +49,20 @@ fn far_to_near(cover: Cover) -> u32 {
 }
 
 // First pixel and one past the last, across and down, that it may cover in a picture of that size.
+// Distances that are rounded may fall short, by less than the margin.
 fn bounds_of(cover: Cover, width: u32, height: u32) -> vec4<i32> {
     let points = bitcast<vec4<f32>>(cover.points);
     let shape = bitcast<vec2<f32>>(cover.shape.xy);
-    var low = points.xy - vec2<f32>(shape.x);
-    var high = points.xy + vec2<f32>(shape.x);
-    if cover.shape.z == COVER_SEGMENT {
-        low = vec2<f32>(min_exact(points.x, points.z), min_exact(points.y, points.w)) - vec2<f32>(shape.x);
-        high = vec2<f32>(max_exact(points.x, points.z), max_exact(points.y, points.w)) + vec2<f32>(shape.x);
-    } else if cover.shape.z == COVER_TRIANGLE {
+    let is_segment = cover.shape.z == COVER_SEGMENT;
+    let end = select(points.xy, points.zw, is_segment);
+    let largest = max_exact(
+        max_exact(abs(points.x), abs(points.y)),
+        max_exact(max_exact(abs(end.x), abs(end.y)), shape.x),
+    );
+    let reach = shape.x + largest * ROUNDING;
+    var low = vec2<f32>(min_exact(points.x, end.x), min_exact(points.y, end.y)) - vec2<f32>(reach);
+    var high = vec2<f32>(max_exact(points.x, end.x), max_exact(points.y, end.y)) + vec2<f32>(reach);
+    if cover.shape.z == COVER_TRIANGLE {
         low.x = min_exact(min_exact(points.x, points.z), shape.x);
         low.y = min_exact(min_exact(points.y, points.w), shape.y);
         high.x = max_exact(max_exact(points.x, points.z), shape.x);
@@ -130,8 +137,8 @@ fn coverage_at(cover: Cover, kinds: Kinds, x: i32, y: i32) -> f32 {
     let center_x = f32_of_i32(x) + 0.5f;
     let center_y = f32_of_i32(y) + 0.5f;
     if kinds.squares && kind == COVER_SQUARE {
-        return overlap(x, points.x - shape.x, points.x + shape.x)
-            * overlap(y, points.y - shape.x, points.y + shape.x);
+        return overlap(center_of(x), points.x - shape.x, points.x + shape.x)
+            * overlap(center_of(y), points.y - shape.x, points.y + shape.x);
     }
     if kinds.triangles && kind == COVER_TRIANGLE {
         let corner = vec2<f32>(f32_of_i32(x), f32_of_i32(y));

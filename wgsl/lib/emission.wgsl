@@ -77,6 +77,23 @@ fn on_triangle(
     );
 }
 
+// Two directions across a unit vector and each other.
+struct Basis {
+    across: vec3<f32>,
+    upward: vec3<f32>,
+}
+
+// Duff and others, "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
+fn basis_of(axis: vec3<f32>) -> Basis {
+    let side = select(1.0f, -1.0f, less(axis.z, 0.0f));
+    let a = -reciprocal(side + axis.z);
+    let b = axis.x * axis.y * a;
+    return Basis(
+        vec3<f32>(1.0f + side * axis.x * axis.x * a, side * b, -side * axis.x),
+        vec3<f32>(b, side + axis.y * axis.y * a, -axis.y),
+    );
+}
+
 // A unit vector within the ejection angle of the unit vector `axis`.
 fn ejected(row: SystemRow, axis: vec3<f32>, motion: vec4<u32>) -> vec3<f32> {
     let limits = row.ejection_and_light;
@@ -84,13 +101,8 @@ fn ejected(row: SystemRow, axis: vec3<f32>, motion: vec4<u32>) -> vec3<f32> {
     let by_angle = (row.kinds.w & ROW_ANGLE_UNIFORM) != 0u;
     let cosine = select(1.0f - u * (1.0f - limits.x), cos_turns(u * limits.y), by_angle);
     let local = on_sphere(cosine, unit_float(motion.y));
-    // Duff and others, "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
-    let side = select(1.0f, -1.0f, less(axis.z, 0.0f));
-    let a = -reciprocal(side + axis.z);
-    let b = axis.x * axis.y * a;
-    let across = vec3<f32>(1.0f + side * axis.x * axis.x * a, side * b, -side * axis.x);
-    let upward = vec3<f32>(b, side + axis.y * axis.y * a, -axis.y);
-    return across * local.x + upward * local.y + axis * local.z;
+    let basis = basis_of(axis);
+    return basis.across * local.x + basis.upward * local.y + axis * local.z;
 }
 
 // The axis that ejection angles are counted from; up where there is no outward or around.

@@ -1,33 +1,31 @@
-// The pixels that a particle covers, and how much of each, antialiased.
+// The pixels that a streak, a square or a larger disc covers, and how much of each, antialiased.
 //
-// Reeves 1983, 2.5 and 3. A sphere is a disc of radius size focal / depth; a streak is that disc
-// swept from its place at the frame's start to its place when the shutter closes; a rectangle is a
-// square that faces the viewer.
+// Reeves 1983, 2.5 and 3. A streak is a disc swept from its place at the frame's start to its place
+// when the shutter closes; a rectangle is a square that faces the viewer. Rows of pixels go across the
+// axis along which it is longer.
 // A disc or streak covers a pixel by the distance of the pixel's centre from the segment, with an
 // edge one pixel wide; a gain then makes the sum of the weights the disc's area (its total light),
 // wherever it stands between pixels and however long the streak is. Few pixels are summed one by
-// one; of many, the sum is that of the integral. Twin of src/cpu/footprint.rs.
+// one; of many, the sum is that of the integral. Reads and writes no buffers. Twin of
+// src/cpu/footprint.rs.
 #define_import_path motes::footprint
 
 #import motes::exact::{
-    at_least_zero, clamp_unit, f32_of_i32, inverse_square_root, less, max_exact, min_exact,
-    reciprocal, square_root, to_i32,
+    clamp_unit, inverse_square_root, less, max_exact, min_exact, reciprocal, square_root, to_i32,
 }
 #import motes::layout::{FRAME_EYE, Frame}
 #import motes::projection::Projected
+#import motes::reach::{LEAST_WAY_SQUARED, PI, center_of, edged_radius, overlap}
 
-const PI: f32 = 3.14159265f;
-// Radii are at most this many pixels: four times the largest picture.
-const MOST_RADIUS_PX: f32 = 16384.0f;
 // Footprints of at most this many pixels are summed one by one, and drawn by one invocation:
 // drivers end an invocation's loops when they have turned 65,535 times in all.
 const FEW_CELLS: u32 = 2048u;
 // A disc of at least this radius needs no gain; below half of it, all of it.
 const LARGE_RADIUS_PX: f32 = 4.0f;
-// A disc at rest that reaches no further than this is smaller than half of the above, and covers
-// pixels of a square of so many at a side.
-const SMALL_REACH_PX: f32 = 2.47f;
-const SMALL_SIDE: u32 = 5u;
+// Pixels count by their centres, so rows of what is no farther away than this are narrower by
+// nearly half a pixel on either side; a rest is left for rounding.
+const NEAR_PX: f32 = 16384.0f;
+const CENTER_TRIM_PX: f32 = 0.375f;
 // Pixel coordinates are kept within these, and ranges of them below 2^15.
 const FARTHEST_PX: i32 = 16777216;
 const LONGEST_PX: i32 = 32768;
@@ -35,14 +33,15 @@ const LONGEST_PX: i32 = 32768;
 // Invocations that share a footprint of many pixels: rows enough for the largest picture.
 const SHARES: u32 = 256u;
 
-// Kinds of footprint.
-const SMALL_DISC: u32 = 0u;
-const CAPSULE: u32 = 1u;
-const SQUARE: u32 = 2u;
+// large_particles: how many footprints of few pixels are listed, how many of many; the same once more,
+// for splat_large, when all are; then from here indices, those of few from the front, of many from
+// the back.
+const LIST_START: u32 = 4u;
 
 // A disc swept along a segment, or a square; `major` is the axis on which the segment is longer.
 struct Footprint {
-    kind: u32,
+    // Whether it is a square at rest.
+    square: bool,
     // Whether the major axis is y.
     steep: bool,
     start_major: f32,
@@ -64,39 +63,12 @@ struct Footprint {
     last: i32,
     // Pixels of the picture along the minor axis.
     minor_size: i32,
-    // Pixels that rows can have in all.
-    cells: u32,
 }
 
-// Whether any of it may fall into the picture.
-fn is_visible(view: Frame, start: Projected, end: Projected, radius_px: f32) -> bool {
-    let reach = radius_px + 2.0f;
-    let width = f32_of_i32(i32(view.width));
-    let height = f32_of_i32(i32(view.height));
-    return !(less(start.depth, view.near)
-        || less(end.depth, view.near)
-        || less(max_exact(start.x, end.x) + reach, 0.0f)
-        || less(max_exact(start.y, end.y) + reach, 0.0f)
-        || less(width, min_exact(start.x, end.x) - reach)
-        || less(height, min_exact(start.y, end.y) - reach));
-}
-
-// The radius whose edge, one pixel wide, gives the area of a disc of `radius_px`: such an edge adds
-// 1/12 to the square of the radius. At least half a pixel.
-fn edged_radius(radius_px: f32) -> f32 {
-    return max_exact(square_root(at_least_zero(radius_px * radius_px - 0.0833333333f)), 0.5f);
-}
-
-// How much of the unit interval from `pixel` lies within [low, high].
-fn overlap(pixel: i32, low: f32, high: f32) -> f32 {
-    let left = f32_of_i32(pixel);
-    return clamp_unit(min_exact(left + 1.0f, high) - max_exact(left, low));
-}
-
-// How much of a pixel the disc or streak covers, 0 to 1, times how much that light counts.
-fn weight_at(shape: Footprint, major: i32, minor: i32) -> f32 {
-    let dx = f32_of_i32(major) + 0.5f - shape.start_major;
-    let dy = f32_of_i32(minor) + 0.5f - shape.start_minor;
+// How much of the pixel with its centre there the disc or streak covers, 0 to 1, times how much that light counts.
+fn weight_at(shape: Footprint, major: f32, minor: f32) -> f32 {
+    let dx = major - shape.start_major;
+    let dy = minor - shape.start_minor;
     let along = (dx * shape.along_major + dy * shape.along_minor) * shape.inverse_length_squared;
     let t = clamp_unit(along);
     let ex = dx - t * shape.along_major;
@@ -105,20 +77,29 @@ fn weight_at(shape: Footprint, major: i32, minor: i32) -> f32 {
     return clamp_unit(shape.reach - distance) * (shape.early + t * shape.late);
 }
 
-// How much of a pixel the square covers, 0 to 1.
-fn square_weight_at(shape: Footprint, major: i32, minor: i32) -> f32 {
+// How much of the pixel with its centre there the square covers, 0 to 1.
+fn square_weight_at(shape: Footprint, major: f32, minor: f32) -> f32 {
     return overlap(major, shape.start_major - shape.reach, shape.start_major + shape.reach)
         * overlap(minor, shape.start_minor - shape.reach, shape.start_minor + shape.reach);
 }
 
-// First and one past the last pixel along the minor axis that may be covered.
-fn minor_range(shape: Footprint, major: i32) -> vec2<i32> {
-    let middle = shape.start_minor
-        + (f32_of_i32(major) + 0.5f - shape.start_major) * shape.slope;
+// First and one past the last pixel along the minor axis that may be covered, of the row whose
+// centres are at `major`.
+fn minor_range(shape: Footprint, major: f32) -> vec2<i32> {
+    let middle = shape.start_minor + (major - shape.start_major) * shape.slope;
     return vec2<i32>(
         to_i32(middle - shape.minor_reach),
         to_i32(middle + shape.minor_reach) + 1,
     );
+}
+
+// Whether one invocation may draw it: its rows have at most FEW_CELLS pixels, were the picture
+// without end.
+fn is_for_one(start: Projected, end: Projected, radius_px: f32) -> bool {
+    let way = max_exact(abs(end.x - start.x), abs(end.y - start.y));
+    // Rows are as wide as across a segment at 45 degrees at most.
+    let width = 2.83f * (max_exact(radius_px, 0.5f) + 0.5f) + 2.0f;
+    return less((way + width) * width, f32(FEW_CELLS));
 }
 
 fn span(first: i32, last: i32) -> u32 {
@@ -145,11 +126,15 @@ fn gain_of(
         + PI * (edge * edge + 0.0833333333f);
     if cells <= FEW_CELLS {
         sum = 0.0f;
+        var at_major = center_of(first);
         for (var major = first; major < last; major += 1) {
-            let range = minor_range(shape, major);
+            let range = minor_range(shape, at_major);
+            var at_minor = center_of(range.x);
             for (var minor = range.x; minor < range.y; minor += 1) {
-                sum += weight_at(shape, major, minor);
+                sum += weight_at(shape, at_major, at_minor);
+                at_minor += 1.0f;
             }
+            at_major += 1.0f;
         }
     }
     let gain = area * reciprocal(sum);
@@ -166,7 +151,7 @@ fn footprint_of(
     let dx = end.x - start.x;
     let dy = end.y - start.y;
     let length_squared = dx * dx + dy * dy;
-    let moves = less(0.0001f, length_squared);
+    let moves = less(LEAST_WAY_SQUARED, length_squared);
     let steep = square || less(abs(dx), abs(dy));
     shape.steep = steep;
     shape.start_major = select(start.x, start.y, steep);
@@ -180,7 +165,12 @@ fn footprint_of(
     let swept = !conserved && moves;
     let edge = select(edged_radius(radius_px), max_exact(radius_px, 0.5f), swept);
     shape.reach = select(edge + 0.5f, radius_px, square);
-    shape.minor_reach = shape.reach * square_root(1.0f + shape.slope * shape.slope);
+    let minor_reach = shape.reach * square_root(1.0f + shape.slope * shape.slope);
+    let farthest = max_exact(
+        max_exact(abs(start.x), abs(start.y)), max_exact(abs(end.x), abs(end.y)),
+    );
+    let is_near = !square && less(farthest, NEAR_PX);
+    shape.minor_reach = select(minor_reach, minor_reach - CENTER_TRIM_PX, is_near);
     shape.gain = 1.0f;
     // An eye keeps what came last best: light counts in proportion to the time since the shutter
     // opened. What the early half loses, caps included, the late half gains.
@@ -190,12 +180,7 @@ fn footprint_of(
     let lateness = clamp_unit(0.25f * length * reciprocal(shape.reach));
     shape.early = select(1.0f, 1.0f - lateness, eye);
     shape.late = select(0.0f, 2.0f * lateness, eye);
-    if !moves && !square && less(shape.reach, SMALL_REACH_PX) {
-        shape.kind = SMALL_DISC;
-        return shape;
-    }
-    shape.kind = select(CAPSULE, SQUARE, square);
-
+    shape.square = square;
     let end_major = shape.start_major + shape.along_major;
     let first = clamp(
         to_i32(min_exact(shape.start_major, end_major) - shape.reach), -FARTHEST_PX, FARTHEST_PX,
@@ -205,11 +190,10 @@ fn footprint_of(
     );
     let width = i32(view.width);
     let height = i32(view.height);
-    let across = u32(to_i32(2.0f * shape.minor_reach)) + 2u;
+    let across = u32(to_i32(2.0f * minor_reach)) + 2u;
     shape.first = max(first, 0);
     shape.last = min(last, select(width, height, steep));
     shape.minor_size = select(height, width, steep);
-    shape.cells = span(shape.first, shape.last) * min(across, u32(shape.minor_size));
     if !square {
         let cells = span(first, last) * across;
         shape.gain = gain_of(shape, radius_px, first, last, cells, moves, swept);

@@ -14,6 +14,13 @@ fn steps_of(light: f32) -> u32 {
     return to_u32(light * LIGHT_STEPS + 0.5f);
 }
 
+// The steps of a colour's channels where it counts so much.
+fn steps_for(color: vec3<f32>, weight: f32) -> vec3<u32> {
+    return vec3<u32>(
+        steps_of(color.x * weight), steps_of(color.y * weight), steps_of(color.z * weight),
+    );
+}
+
 // The light that the two limbs hold, rounded to single precision once or twice.
 fn light_of(low: u32, high: u32) -> f32 {
     let fraction = f32_of_u32(low & 0xfffu) * 9.536743e-7f;

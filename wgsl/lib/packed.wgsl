@@ -11,6 +11,8 @@ const BLUE_AT: u32 = 42u;
 // Steps that do not fit a field of red or green, of blue.
 const FIELD_LEN: u32 = 0x200000u;
 const BLUE_LEN: u32 = 0x400000u;
+// The bit of what is left that tells of steps that did not fit.
+const UNFIT: u32 = 8u;
 
 // What of the steps fits the fields of a packed pixel.
 fn packed(steps: vec3<u32>) -> u64 {
@@ -19,16 +21,25 @@ fn packed(steps: vec3<u32>) -> u64 {
         | (u64(steps.z & (BLUE_LEN - 1u)) << BLUE_AT);
 }
 
-// What is left for the limbs when `word`, packed of `steps`, was added to a pixel that held
-// `before`: what did not fit, and what ran over. What ran over from a field was added to the one
-// after it, and is taken off there: a count of -1 has all bits set.
-fn left_over(before: u64, word: u64, steps: vec3<u32>) -> vec3<u32> {
+// Which fields ran over when `word`, packed of `steps`, was added to a pixel that held `before`, a
+// bit each; and UNFIT where steps were too many for their field. 0 where nothing is left.
+fn rest_of(before: u64, word: u64, steps: vec3<u32>) -> u32 {
     let sum = before + word;
     let carries = before ^ word ^ sum;
     let of_red = u32(carries >> GREEN_AT) & 1u;
     let of_green = u32(carries >> BLUE_AT) & 1u;
-    let of_blue = select(0u, 1u, sum < before);
-    let unfit = steps - unpacked(word);
+    let of_blue = select(0u, 4u, sum < before);
+    let unfit = select(0u, UNFIT, (steps.x | steps.y | (steps.z >> 1u)) >= FIELD_LEN);
+    return of_red | (of_green << 1u) | of_blue | unfit;
+}
+
+// What is then left for the limbs: what did not fit, and what ran over. What ran over from a field
+// was added to the one after it, and is taken off there: a count of -1 has all bits set.
+fn left_over(rest: u32, steps: vec3<u32>) -> vec3<u32> {
+    let of_red = rest & 1u;
+    let of_green = (rest >> 1u) & 1u;
+    let of_blue = (rest >> 2u) & 1u;
+    let unfit = steps - unpacked(packed(steps));
     let ran_over = vec3<u32>(of_red * FIELD_LEN, of_green * FIELD_LEN, of_blue * BLUE_LEN);
     return unfit + ran_over - vec3<u32>(0u, of_red, of_green);
 }

@@ -8,7 +8,8 @@
 #import motes::exact::{
     bits_of, clamp_exact, f32_of_i32, less, max_exact, min_exact, reciprocal, square_root, to_i32,
 }
-#import motes::footprint::{LARGE_RADIUS_PX, PI, edged_radius}
+#import motes::footprint::LARGE_RADIUS_PX
+#import motes::reach::{PI, edged_radius}
 #import motes::layout::{
     COVER_DISC, COVER_SEGMENT, COVER_SOFT_DISC, COVER_SQUARE, COVER_TRIANGLE, Cover,
 }

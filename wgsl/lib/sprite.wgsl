@@ -7,7 +7,7 @@
 #define_import_path motes::sprite
 
 #import motes::exact::{inverse_square_root, less, min_exact}
-#import motes::footprint::MOST_RADIUS_PX
+#import motes::reach::MOST_RADIUS_PX
 #import motes::layout::{
     Frame, PARTICLE_RECTANGLE, PARTICLE_STREAK, Particle, STREAK_CONSTANT, SystemFrame, SystemRow,
 }

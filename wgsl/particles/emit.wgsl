@@ -19,11 +19,13 @@
     Counts, Frame, Particle, ROW_WITHIN_FRAME, SHAPE_CURVE, SHAPE_MESH, SYSTEM_PARABOLIC, SystemFrame,
     SystemRow,
 }
-#import motes::particle::{Identity, STREAM_MOMENT, STREAM_MOTION, STREAM_PLACE, draw, row_index}
+#import motes::particle::{Identity, STREAM_MOMENT, STREAM_MOTION, STREAM_PLACE, draw, row_index, to_words}
 #import motes::rng::{index_below, signed_float, unit_float}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
-// Whether any system is born on a mesh.
+// Whether there are several systems, several parameter rows; whether any is born on a mesh.
+const MANY_SYSTEMS: bool = #{MANY_SYSTEMS};
+const MANY_ROWS: bool = #{MANY_ROWS};
 const MESHES: bool = #{MESHES};
 
 struct Pages {
@@ -36,7 +38,11 @@ var<immediate> pages: Pages;
 @group(0) @binding(2) var<storage, read> rows: array<SystemRow>;
 @group(0) @binding(3) var<storage, read> birth_offsets: array<u32>;
 @group(0) @binding(4) var<storage, read> counts: Counts;
+#if WIDE == true
+@group(0) @binding(5) var<storage, read_write> particles: array<vec4<u64>>;
+#else
 @group(0) @binding(5) var<storage, read_write> particles: array<Particle>;
+#endif
 @group(0) @binding(6) var<storage, read> curve_points: array<vec4<f32>>;
 @group(0) @binding(7) var<storage, read> mesh_faces: array<vec4<f32>>;
 @group(0) @binding(8) var<storage, read> mesh_choices: array<vec2<u32>>;
@@ -78,6 +84,9 @@ fn birthplace(row: SystemRow, place: vec4<u32>) -> Birthplace {
 
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn emit(@builtin(global_invocation_id) global_id: vec3<u32>) {
+    // Before the first branch, as software drivers load it lane by lane after that.
+    var system = system_frames[0];
+    var row = rows[0];
     let page_start = pages.page * frame.page_len;
     let first = max(counts.live, page_start);
     let at = first + linear_index(global_id, WORKGROUP_SIZE);
@@ -87,9 +96,13 @@ fn emit(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let birth = at - counts.live;
     let slot = slot_of_birth(birth);
     let index = birth - birth_offsets[slot];
-    let system = system_frames[slot];
+    if MANY_SYSTEMS {
+        system = system_frames[slot];
+    }
+    if MANY_ROWS {
+        row = rows[row_index(slot, frame.frame, frame.row_mask)];
+    }
     let who = Identity(system.key, frame.frame, index);
-    let row = rows[row_index(slot, frame.frame, frame.row_mask)];
 
     let motion = draw(who, STREAM_MOTION);
     let born = birthplace(row, draw(who, STREAM_PLACE));
@@ -116,7 +129,7 @@ fn emit(@builtin(global_invocation_id) global_id: vec3<u32>) {
         position = position + acceleration * (0.5f * gone * gone);
         velocity = velocity + acceleration * (0.5f - gone);
     }
-    particles[at - page_start] = Particle(
+    let newborn = Particle(
         vec4<u32>(bits_of(position.x), bits_of(position.y), bits_of(position.z), index),
         vec4<u32>(
             bits_of(velocity.x),
@@ -125,4 +138,9 @@ fn emit(@builtin(global_invocation_id) global_id: vec3<u32>) {
             (slot << 16u) | (frame.frame & 0xffffu),
         ),
     );
+#if WIDE == true
+    particles[at - page_start] = to_words(newborn);
+#else
+    particles[at - page_start] = newborn;
+#endif
 }

@@ -1,7 +1,7 @@
 // survivors: the last step up and the first step down of the prefix sum, and the frame's books.
 //
 // One invocation turns sums_2 into exclusive prefix sums, learns how many survive, and writes the
-// frame's line of statistics. Reads: frame, deaths. Writes: sums_2, counts, statistics.
+// frame's line of statistics. Reads: frame, deaths, tree_counts. Writes: sums_2, counts, statistics.
 // Invariant: live(f) = live(f-1) + born - died.
 
 #import motes::layout::{Counts, Frame, FrameStats}
@@ -14,6 +14,7 @@ const STATISTICS_LEN: u32 = 256u;
 @group(0) @binding(2) var<storage, read_write> sums_2: array<u32>;
 @group(0) @binding(3) var<storage, read_write> counts: Counts;
 @group(0) @binding(4) var<storage, read_write> statistics: array<FrameStats>;
+@group(0) @binding(5) var<storage, read> tree_counts: Counts;
 
 @compute @workgroup_size(1)
 fn survivors() {
@@ -36,5 +37,9 @@ fn survivors() {
         counts.dropped,
         deaths[0],
         deaths[1],
+        tree_counts.requested,
+        tree_counts.born,
+        tree_counts.died,
+        tree_counts.live,
     );
 }

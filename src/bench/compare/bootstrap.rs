@@ -6,6 +6,10 @@
 //! of them blocks of neighbouring samples, because neighbours in time are alike. Frames that stand at
 //! the same place in both records are drawn together: they did the same work.
 //!
+//! One record a side cannot show how much two runs of one build differ. Its samples are drawn in at
+//! least [`LEAST_BLOCKS`]-th parts of its time, and the interval is widened by what the caller allows
+//! for that difference.
+//!
 //! Few records a side spread less than what they are drawn from, so the interval is widened by
 //! the root of n / (n - 1) and by Student's distribution. The seed is fixed: the same records give the same answer.
 
@@ -20,6 +24,9 @@ const READ_LEVEL: f64 = 0.95;
 
 /// Normal distribution's reach at [`READ_LEVEL`].
 const NORMAL_REACH: f64 = 1.959_964;
+
+/// Blocks of time that the samples of a lone record are drawn in, about.
+const LEAST_BLOCKS: usize = 10;
 
 /// No time is taken to be shorter, ms: a ratio needs something below the line.
 const LEAST_MS: f64 = 1e-9;
@@ -36,8 +43,14 @@ pub struct Change {
 }
 
 /// The change from `old` to `new`, each with the samples of one or more records, with an interval of
-/// this level. In pairs, if there are equally many. `None` if nothing was sampled more than once.
-pub(super) fn change(old: &[&[f64]], new: &[&[f64]], level: f64, seed: u64) -> Option<Change> {
+/// this level. In pairs, if there are equally many. Where a side has one record, its ends are moved
+/// apart by `allowance`, a natural logarithm. `None` if nothing was sampled more than once.
+pub(super) fn change(
+    old: &[&[f64]],
+    new: &[&[f64]],
+    (level, allowance): (f64, f64),
+    seed: u64,
+) -> Option<Change> {
     let fewest = old.len().min(new.len());
     let least_samples = old.iter().chain(new).map(|it| it.len()).min()?;
     if fewest == 0 || least_samples == 0 || (fewest == 1 && least_samples < 2) {
@@ -45,8 +58,15 @@ pub(super) fn change(old: &[&[f64]], new: &[&[f64]], level: f64, seed: u64) -> O
     }
     let is_paired = old.len() == new.len();
     let mut random = Random(seed);
-    let old_blocks: Vec<usize> = old.iter().map(|it| block_length(it)).collect();
-    let new_blocks: Vec<usize> = new.iter().map(|it| block_length(it)).collect();
+    let length = |samples: &&[f64]| {
+        let long = match fewest {
+            1 => samples.len() / LEAST_BLOCKS,
+            _ => 1,
+        };
+        block_length(samples).max(long)
+    };
+    let old_blocks: Vec<usize> = old.iter().map(length).collect();
+    let new_blocks: Vec<usize> = new.iter().map(length).collect();
     let center = mean_log(new, median) - mean_log(old, median);
     let mut draws: Vec<f64> = (0..DRAWS)
         .map(|_| {
@@ -96,10 +116,11 @@ pub(super) fn change(old: &[&[f64]], new: &[&[f64]], level: f64, seed: u64) -> O
     };
     let edge = |part: f64| center + (percentile(&draws, part) - center) * widening;
     let tail = 0.5 * (1.0 - READ_LEVEL);
+    let allowance = if fewest == 1 { allowance } else { 0.0 };
     Some(Change {
         ratio: center.exp(),
-        low: edge(tail).min(center).exp(),
-        high: edge(1.0 - tail).max(center).exp(),
+        low: (edge(tail).min(center) - allowance).exp(),
+        high: (edge(1.0 - tail).max(center) + allowance).exp(),
     })
 }
 

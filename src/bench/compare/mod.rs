@@ -28,6 +28,10 @@ pub const LEAST_MS: f64 = 0.05;
 /// A pass with a smaller share of the frame now fails nothing.
 pub const LEAST_SHARE: f64 = 0.01;
 
+/// How much longer one run of a build may take than another, at most, where no second run a side shows
+/// it: an assumption, for machines that are not kept at one clock.
+pub const BETWEEN_RUNS: f64 = 1.1;
+
 /// An interval that reaches further from 1 than this tells nothing.
 const WIDEST_SAME: f64 = 0.05;
 
@@ -48,7 +52,7 @@ pub struct Comparison {
     pub only_old: Vec<String>,
     /// What only the new records have, in words.
     pub only_new: Vec<String>,
-    /// What a reader should know before believing the answer.
+    /// What a reader should know before believing the answer: first what the data cannot tell.
     pub warnings: Vec<String>,
 }
 

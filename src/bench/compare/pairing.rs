@@ -4,17 +4,20 @@ use std::fmt;
 
 use rayon::prelude::*;
 
+use super::super::groups::groups;
 use super::super::record::{Measure, Record};
 use super::super::spread::Spread;
 use super::super::units::grouped;
 use super::warnings::warnings;
-use super::{Compared, Comparison, Kind, LEVEL, bootstrap, identity};
+use super::{BETWEEN_RUNS, Compared, Comparison, Kind, LEVEL, bootstrap, identity};
 
 /// Samples of the same thing, from each record of a side that has it, and the thing's share of the frame.
 #[derive(Default)]
 struct Side<'a> {
     spreads: Vec<&'a Spread>,
     shares: Vec<f64>,
+    /// Of the copies beside it, GB/s.
+    copies: Vec<f64>,
 }
 
 /// What identifies a thing that was timed.
@@ -73,7 +76,7 @@ pub(super) fn one_adapter(old: &[Record], new: &[Record]) -> Comparison {
 /// All that the records timed, in their order.
 fn sides(records: &[Record]) -> Vec<(Key, Side<'_>)> {
     let mut sides: Vec<(Key, Side)> = Vec::new();
-    let mut add = |key: Key, ms, share: Option<f64>| {
+    let mut add = |key: Key, ms, share: Option<f64>, copy: Option<f64>| {
         let at = sides
             .iter()
             .position(|(other, _)| *other == key)
@@ -83,6 +86,7 @@ fn sides(records: &[Record]) -> Vec<(Key, Side<'_>)> {
             });
         sides[at].1.spreads.push(ms);
         sides[at].1.shares.extend(share);
+        sides[at].1.copies.extend(copy.filter(|rate| *rate > 0.0));
     };
     for record in records {
         for Measure { name, ms, .. } in &record.micro {
@@ -91,11 +95,10 @@ fn sides(records: &[Record]) -> Vec<(Key, Side<'_>)> {
                 kind: Kind::Micro,
                 name: name.clone(),
             };
-            add(key, ms, None);
+            add(key, ms, None, record.copy_kernel_gb_per_s);
         }
         for run in &record.runs {
-            let frame = run.frame_ms.median;
-            let share = |ms: &Spread| (frame > 0.0).then(|| ms.median / frame);
+            let copy = run.copy_kernel_gb_per_s.or(record.copy_kernel_gb_per_s);
             let of_run = Some((run.scene.clone(), run.particles));
             let passes = run
                 .passes
@@ -113,7 +116,7 @@ fn sides(records: &[Record]) -> Vec<(Key, Side<'_>)> {
                     kind,
                     name: name.to_owned(),
                 };
-                add(key, ms, share(ms));
+                add(key, ms, run.share_of_frame(ms), copy);
             }
         }
     }
@@ -137,7 +140,8 @@ fn compared(key: &Key, old: &Side, new: &Side) -> Compared {
         (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
     });
     let is_timed = old_ms > 0.0 && new_ms > 0.0;
-    let change = || bootstrap::change(&samples(old), &samples(new), LEVEL, seed);
+    let level = (LEVEL, allowance(old, new));
+    let change = || bootstrap::change(&samples(old), &samples(new), level, seed);
     Compared {
         run: key.run.clone(),
         kind: key.kind,
@@ -147,4 +151,17 @@ fn compared(key: &Key, old: &Side, new: &Side) -> Compared {
         share_of_frame: (!new.shares.is_empty()).then(|| bootstrap::median(&new.shares)),
         change: is_timed.then(change).flatten(),
     }
+}
+
+/// How far one run of a build may lie from another, as a natural logarithm: what is allowed always,
+/// or more where the data show more: another rate of the copies beside it, or times in two groups.
+fn allowance(old: &Side, new: &Side) -> f64 {
+    let rate = |side: &Side| (!side.copies.is_empty()).then(|| bootstrap::median(&side.copies));
+    let machine = rate(old)
+        .zip(rate(new))
+        .map(|(old, new)| (new / old).ln().abs());
+    let spreads = old.spreads.iter().chain(&new.spreads);
+    let paces = spreads.filter_map(|ms| Some(groups(&ms.samples)?.ratio.ln()));
+    let all = machine.into_iter().chain(paces);
+    all.fold(BETWEEN_RUNS.ln(), f64::max)
 }

@@ -31,7 +31,7 @@ impl Compared {
             Verdict::Slower => format!("slower by {}", change.percent()),
             Verdict::Faster => format!("faster by {}", change.percent()),
             Verdict::Same => format!("no difference (within {})", within()),
-            Verdict::Unclear => format!("no difference seen, but noisy (within {})", within()),
+            Verdict::Unclear => format!("cannot tell (within {})", within()),
         }
     }
 
@@ -70,6 +70,8 @@ impl Comparison {
         };
         let (old, new) = (records(self.old_records), records(self.new_records));
         text += &format!("{old} before, {new} now{pairs}\n");
+        // What the answer is worth comes before it.
+        text += &list("warning", &self.warnings);
         let mut run = None;
         for compared in &self.compared {
             if run != Some(&compared.run) {
@@ -81,12 +83,11 @@ impl Comparison {
         text += "\n";
         text += &list("only before", &self.only_old);
         text += &list("only now", &self.only_new);
-        text += &list("warning", &self.warnings);
         text += &wrapped(&format!(
-            "Intervals hold with {:.0} % each: of {} things that did not change, about {} would be called slower or faster.",
+            "Intervals hold with {:.0} % each: of {} things that did not change, {} called slower or faster by chance.",
             LEVEL * 100.0,
             self.compared.len(),
-            digits(self.compared.len() as f64 * (1.0 - LEVEL))
+            by_chance(self.compared.len())
         ));
         text += &match self.slowed_most() {
             Some(most) => wrapped(&format!("Slowed most: {}, {}.", most.place(), most.words())),
@@ -111,6 +112,16 @@ impl Comparison {
             text += &wrapped(&format!("  {}: {}", compared.place(), compared.words()));
         }
         text
+    }
+}
+
+/// How many of so many are called different though they are not, in words.
+fn by_chance(things: usize) -> String {
+    let expected = things as f64 * (1.0 - LEVEL);
+    match expected.round() as usize {
+        0 => "hardly one is".to_owned(),
+        1 => "about one is".to_owned(),
+        several => format!("about {several} are"),
     }
 }
 

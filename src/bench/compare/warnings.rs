@@ -1,17 +1,18 @@
 //! What differs between the sides besides the build.
 
+use super::super::groups::groups;
 use super::super::record::{Record, Run};
-use super::bootstrap;
+use super::{BETWEEN_RUNS, bootstrap};
 
 /// A copy by a kernel that changed by more says that the machine did.
 const MOST_COPY_CHANGE: f64 = 0.03;
 
 /// All that a reader should know before believing the answer.
 pub(super) fn warnings(old: &[Record], new: &[Record]) -> Vec<String> {
-    let mut warnings = Vec::new();
     let (Some(first), Some(second)) = (old.first(), new.first()) else {
-        return warnings;
+        return Vec::new();
     };
+    let mut warnings = limits(old, new);
     let mut differs = |what: &str, old: &str, new: &str| {
         if old != new {
             warnings.push(format!("{what} differs: {old:?} before, {new:?} now"));
@@ -55,14 +56,31 @@ pub(super) fn warnings(old: &[Record], new: &[Record]) -> Vec<String> {
         }
     }
     warnings.extend(copy_warning(old, new));
-    if old.len().min(new.len()) < 2 {
-        warnings.push(
-            "one record a side: how much two runs of one build differ cannot be told, so a small change may be \
-             chance; give several, taken in turns (OLD1,OLD2,… NEW1,NEW2,…)"
-                .to_owned(),
-        );
-    }
     warnings
+}
+
+/// What the data cannot tell.
+fn limits(old: &[Record], new: &[Record]) -> Vec<String> {
+    let mut limits = Vec::new();
+    if old.len().min(new.len()) < 2 {
+        limits.push(format!(
+            "one record a side cannot show how much two runs of one build differ: {:.0} % is allowed for that, \
+             so nothing smaller is found; for more give several records, taken in turns (OLD1,OLD2,… NEW1,NEW2,…)",
+            (BETWEEN_RUNS - 1.0) * 100.0
+        ));
+    }
+    let runs = || old.iter().chain(new).flat_map(|record| &record.runs);
+    let paces = |run: &Run| groups(&run.frame_ms.samples);
+    let found: Vec<f64> = runs().filter_map(paces).map(|it| it.ratio).collect();
+    if let Some(most) = found.iter().copied().reduce(f64::max) {
+        limits.push(format!(
+            "in {} of {} runs the frames fall into two groups, up to {most:.2} times apart: the machine changed its \
+             pace, and what lies between the groups cannot be told from one record a side",
+            found.len(),
+            runs().count()
+        ));
+    }
+    limits
 }
 
 fn pixels(run: &Run) -> String {

@@ -2,15 +2,12 @@
 
 use super::super::record::Measure;
 use super::super::spread::Spread;
-use super::super::units::{digits, grouped, percent, prefixed, shortened};
+use super::super::units::{digits, grouped, percent, prefixed};
 use super::Labelled;
-use super::svg::{Scale, color, escaped, figure, picture, tick};
+use super::svg::{color, escaped, figure, tick};
 
-const WIDTH: f64 = 1120.0;
-const LEFT: f64 = 250.0;
-const RIGHT: f64 = 900.0;
-const BAR: f64 = 18.0;
-const GAP: f64 = 14.0;
+/// A dispatch alone is no work; the cards tell of it.
+const IDLE: &str = "dispatch";
 
 /// One bar.
 struct Bar {
@@ -53,7 +50,7 @@ pub(super) fn micro(records: &[Labelled]) -> String {
     let working = rows(records, &|measure| {
         let rate = measure
             .items_per_s()
-            .filter(|_| measure.share_of_copy.is_none())?;
+            .filter(|_| measure.share_of_copy.is_none() && measure.name != IDLE)?;
         Some((
             1e9 / rate,
             Goes::WithTime,
@@ -62,18 +59,16 @@ pub(super) fn micro(records: &[Labelled]) -> String {
     });
     let mut html = chart(
         "Kernels alone, as a share of the copy",
-        "Bytes that a kernel must move, by the time it takes, over the same of the fastest copy by a kernel on the same \
-         adapter. Thin lines go from p10 to p90.",
+        "What the adapter's own copy of as many bytes takes, over what the kernel takes. The upright line is the copy; thin \
+         lines go from p10 to p90.",
         &moving,
-        Some((1.0, "the copy")),
-        &|share| format!("{:.0} %", share * 100.0),
+        Some(1.0),
     );
     html += &chart(
         "Kernels alone, time an item",
         "Kernels that are about computing: nanoseconds for each of their items, all lanes together. Thin lines go from p10 to p90.",
         &working,
         None,
-        &|ns| format!("{} ns", tick(ns)),
     );
     html
 }
@@ -110,11 +105,10 @@ pub(super) fn scenes(records: &[Labelled], in_curves: &[&str]) -> String {
     }
     chart(
         "Scenes at one count, time a frame",
-        "Median of step and drawing; a thin line goes from p10 to p90. The mark across a bar is its floor: the bytes that the passes must move, at the rate \
-         of the adapter's own copy.",
+        "Median of step and drawing; a thin line goes from p10 to p90. The mark across a bar is its floor: what the \
+         adapter's own copies of the passes' bytes take.",
         &rows,
         None,
-        &|ms| format!("{} ms", tick(ms)),
     )
 }
 
@@ -124,7 +118,7 @@ type Told = (f64, Goes, String);
 /// A row a kernel, of what `of` makes of it: a value that goes with the time, or against it.
 fn rows(records: &[Labelled], of: &dyn Fn(&Measure) -> Option<Told>) -> Vec<Row> {
     let mut rows = Vec::new();
-    for (at, Labelled { label, record }) in records.iter().enumerate() {
+    for (at, Labelled { label, record, .. }) in records.iter().enumerate() {
         for measure in &record.micro {
             let Some((value, goes, text)) = of(measure) else {
                 continue;
@@ -172,76 +166,45 @@ fn push(rows: &mut Vec<Row>, name: String, bar: Bar) {
     }
 }
 
-fn chart(
-    title: &str,
-    words: &str,
-    rows: &[Row],
-    reference: Option<(f64, &str)>,
-    told: &dyn Fn(f64) -> String,
-) -> String {
+fn chart(title: &str, words: &str, rows: &[Row], reference: Option<f64>) -> String {
     let bars = rows.iter().flat_map(|row| &row.bars);
     let values = bars.flat_map(|bar| [Some(bar.value), bar.mark]).flatten();
-    let most = values.chain(reference.map(|it| it.0)).fold(0.0, f64::max);
-    if rows.is_empty() || !most.is_finite() {
+    let most = values.chain(reference).fold(0.0, f64::max);
+    if rows.is_empty() || !most.is_finite() || most <= 0.0 {
         return String::new();
     }
-    let x = Scale::linear(most, [LEFT, RIGHT]);
-    let height_of = |row: &Row| row.bars.len() as f64 * (BAR + 2.0) + GAP;
-    let bottom = 26.0 + rows.iter().map(height_of).sum::<f64>();
-    let mut svg = String::new();
-    for value in x.numbers() {
-        let px = x.at(value);
-        svg += &format!(
-            "<line class=\"grid\" x1=\"{px:.1}\" x2=\"{px:.1}\" y1=\"26\" y2=\"{bottom:.1}\"/>\
-             <text x=\"{px:.1}\" y=\"16\" text-anchor=\"middle\">{}</text>",
-            told(value)
-        );
-    }
-    let mut y = 26.0 + GAP / 2.0;
+    let mut html = String::from("<div class=\"rows bars\">\n");
     for row in rows {
-        let middle = y + (height_of(row) - GAP) / 2.0 + 3.5;
-        let name = escaped(&shortened(&row.name, 32));
-        svg += &format!(
-            "<text class=\"name\" x=\"{:.1}\" y=\"{middle:.1}\" text-anchor=\"end\">{name}</text>",
-            LEFT - 12.0
-        );
-        for bar in &row.bars {
-            svg += &drawn(bar, y, &x);
-            y += BAR + 2.0;
+        for (at, bar) in row.bars.iter().enumerate() {
+            // Of several bars the first has the name.
+            let name = if at == 0 { row.name.as_str() } else { "" };
+            html += &drawn(name, bar, most, reference);
         }
-        y += GAP;
     }
-    if let Some((value, words)) = reference {
-        let px = x.at(value);
-        svg += &format!(
-            "<line x1=\"{px:.1}\" x2=\"{px:.1}\" y1=\"26\" y2=\"{bottom:.1}\" stroke=\"var(--ink)\" stroke-width=\"1.5\"/>\
-             <text class=\"name\" x=\"{px:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{words}</text>",
-            bottom + 18.0
-        );
-    }
-    figure(title, words, &picture(WIDTH, bottom + 26.0, title, &svg))
+    figure(title, words, &(html + "</div>\n"))
 }
 
-fn drawn(bar: &Bar, y: f64, x: &Scale) -> String {
-    let middle = y + BAR / 2.0;
-    let [low, high] = bar.range.map(|value| x.at(value).min(RIGHT + 4.0));
-    let range = format!(
-        "<line x1=\"{low:.1}\" x2=\"{high:.1}\" y1=\"{middle:.1}\" y2=\"{middle:.1}\" stroke=\"var(--ink)\" \
-         stroke-width=\"1.5\" opacity=\"0.65\"/>"
-    );
-    let width = (x.at(bar.value) - LEFT).max(1.0);
-    let mark = bar.mark.map_or(String::new(), |value| {
-        let px = x.at(value);
-        let (top, bottom) = (y - 2.0, y + BAR + 2.0);
-        format!("<line x1=\"{px:.1}\" x2=\"{px:.1}\" y1=\"{top:.1}\" y2=\"{bottom:.1}\" stroke=\"var(--ink)\" stroke-width=\"2\"/>")
-    });
+fn drawn(name: &str, bar: &Bar, most: f64, reference: Option<f64>) -> String {
+    let part = |value: f64| (value / most * 100.0).clamp(0.0, 100.0);
+    let [low, high] = bar.range.map(part);
+    let line = |value: f64, class: &str| {
+        let left = part(value);
+        format!("<s class=\"{class}\" style=\"left:{left:.2}%\"></s>")
+    };
+    let marks = [(reference, "copy"), (bar.mark, "floor")];
+    let marks: String = marks
+        .into_iter()
+        .filter_map(|(value, class)| Some(line(value?, class)))
+        .collect();
     format!(
-        "<rect x=\"{LEFT}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{BAR}\" rx=\"2\" fill=\"{}\"><title>{}</title></rect>\
-         {range}{mark}<text x=\"{:.1}\" y=\"{:.1}\">{}</text>",
-        color(bar.at),
+        "<div class=\"row\"><span class=\"name\">{}</span><span class=\"value\">{}</span>\
+         <div class=\"track\" title=\"{}\"><i style=\"width:{:.2}%;background:{}\"></i>\
+         <u style=\"left:{low:.2}%;width:{:.2}%\"></u>{marks}</div></div>\n",
+        escaped(name),
+        escaped(&bar.label),
         escaped(&bar.words),
-        (LEFT + width).max(high) + 8.0,
-        middle + 4.5,
-        escaped(&bar.label)
+        part(bar.value),
+        color(bar.at),
+        (high - low).max(0.0)
     )
 }

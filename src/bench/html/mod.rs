@@ -1,6 +1,7 @@
 //! Records as one page with pictures: no scripts, no other files, light or dark as the reader has it.
 
 mod bars;
+mod chart;
 mod curves;
 mod shares;
 mod svg;
@@ -11,12 +12,15 @@ use super::record::Record;
 /// A record and what it is called on the page.
 struct Labelled<'a> {
     label: String,
+    /// Where it is from.
+    file: Option<&'a str>,
     record: &'a Record,
 }
 
-/// All records on one page of HTML. Each adapter has its colour, each pass, too.
-pub fn html(records: &[Record]) -> String {
-    let records = labelled(records);
+/// All records on one page of HTML. Each adapter has its colour, each pass, too. `files` are where the
+/// records are from, one each, in words; those without are shown without.
+pub fn html(records: &[Record], files: &[String]) -> String {
+    let records = labelled(records, files);
     let names: Vec<&str> = records.iter().map(|it| it.label.as_str()).collect();
     let names = svg::escaped(&names.join(", "));
     let mut page = format!(
@@ -34,6 +38,7 @@ pub fn html(records: &[Record]) -> String {
         "<div class=\"cards\">\n{}</div>\n",
         cards.collect::<String>()
     );
+    page += &tables::notices(&records);
     let scenes = curves::scenes_in_several_counts(&records);
     let charts = scenes
         .iter()
@@ -66,7 +71,7 @@ fn section(title: &str, inside: &str) -> String {
 }
 
 /// Short names: the adapter's up to a parenthesis; with numbers where several are alike.
-fn labelled(records: &[Record]) -> Vec<Labelled<'_>> {
+fn labelled<'a>(records: &'a [Record], files: &'a [String]) -> Vec<Labelled<'a>> {
     let short = |record: &Record| {
         let name = record.adapter.split('(').next().unwrap_or_default().trim();
         let name = name.strip_suffix(" Device").unwrap_or(name);
@@ -86,6 +91,7 @@ fn labelled(records: &[Record]) -> Vec<Labelled<'_>> {
     };
     let labelled = |(at, record)| Labelled {
         label: label(at),
+        file: files.get(at).map(String::as_str),
         record,
     };
     records.iter().enumerate().map(labelled).collect()

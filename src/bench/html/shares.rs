@@ -3,16 +3,14 @@
 use super::super::record::{Measure, Run};
 use super::super::units::{digits, percent};
 use super::Labelled;
-use super::svg::{escaped, figure, pass_color, picture, tick};
-
-const WIDTH: f64 = 1120.0;
-const LEFT: f64 = 150.0;
-const RIGHT: f64 = 1020.0;
-const BAR: f64 = 30.0;
-const STEP: f64 = 42.0;
+use super::svg::{escaped, figure, pass_color, tick};
 
 /// A pass that has less of every frame is shown among the rest.
 const LEAST_SHARE: f64 = 0.02;
+
+/// A piece with this share of the frame has room for its name; where the page is narrow, one with the
+/// second.
+const ROOM: [f64; 2] = [0.11, 0.34];
 
 /// Passes with a colour of their own, in order of their colours; the others are the rest. They go by their
 /// last names, for one backend says `draw/splat` and another `splat`.
@@ -52,59 +50,50 @@ fn last(name: &str) -> &str {
     name.rsplit('/').next().unwrap_or_default()
 }
 
+/// As the tables have it.
 fn share(pass: &Measure, run: &Run) -> f64 {
-    pass.ms.median / all_ms(run)
+    run.share_of_frame(&pass.ms).unwrap_or(0.0)
 }
 
-/// Medians of all passes together: what the bar holds.
-fn all_ms(run: &Run) -> f64 {
-    run.passes
-        .iter()
-        .map(|pass| pass.ms.median)
-        .sum::<f64>()
-        .max(1e-12)
+fn all_shares(run: &Run) -> f64 {
+    run.passes.iter().map(|pass| share(pass, run)).sum()
 }
 
 /// A chart of one record's runs of all scenes.
 pub(super) fn chart(labelled: &Labelled, colors: &Colors) -> String {
-    let runs: Vec<&Run> = labelled
-        .record
-        .runs
-        .iter()
-        .filter(|run| !run.passes.is_empty())
-        .collect();
+    let all = labelled.record.runs.iter();
+    let mut runs: Vec<&Run> = all.filter(|run| all_shares(run) > 0.0).collect();
     if runs.is_empty() {
         return String::new();
     }
-    let mut svg = String::new();
-    let mut y = 4.0;
+    // Scenes in the order that they came in, counts in theirs.
+    let scenes: Vec<&str> = runs.iter().map(|run| run.scene.as_str()).collect();
+    let place = |run: &&Run| scenes.iter().position(|scene| *scene == run.scene);
+    runs.sort_by_key(|run| (place(run), run.particles));
+    // Medians of passes add up to about the median of the frame, not to it.
+    let most = runs.iter().map(|run| all_shares(run)).fold(1.0, f64::max);
+    let mut html = String::from("<div class=\"rows\">\n");
     let mut scene = "";
-    for run in runs {
+    for run in &runs {
         if run.scene != scene {
             scene = &run.scene;
-            svg += &format!(
-                "<text class=\"name strong\" x=\"0\" y=\"{:.1}\">{}</text>",
-                y + 14.0,
-                escaped(scene)
-            );
-            y += 24.0;
+            html += &format!("<h4>{}</h4>\n", escaped(scene));
         }
-        svg += &bar(run, y, colors);
-        y += STEP;
+        html += &bar(run, colors, most);
     }
-    let mut legend = String::new();
-    let passes = || labelled.record.runs.iter().flat_map(|run| &run.passes);
+    html += "</div>\n<ul class=\"legend\">";
+    let passes = || runs.iter().flat_map(|run| &run.passes);
     let is_here = |name: &str| passes().any(|pass| last(&pass.name) == name);
     let colored = colors.0.iter().enumerate();
     for (at, name) in colored.filter(|(_, name)| is_here(name)) {
-        legend += &item(&pass_color(at), name);
+        html += &item(&pass_color(at), name);
     }
-    legend += &item("var(--rest)", "the rest");
+    html += &item("var(--rest)", "the rest");
+    html += "</ul>\n";
     let title = format!("{}: share of a frame", labelled.label);
-    let words = "Each bar is a frame, each piece the median of a pass, in the order in which they run; point at one for \
-                 its numbers.";
-    let inside = picture(WIDTH, y, &title, &svg) + "<ul class=\"legend\">" + &legend + "</ul>\n";
-    figure(&title, words, &inside)
+    let words = "Each bar is a frame, each piece the median of a pass over that of the frame, in the order in which they \
+                 run; point at one for its numbers.";
+    figure(&title, words, &html)
 }
 
 fn item(color: &str, name: &str) -> String {
@@ -114,17 +103,14 @@ fn item(color: &str, name: &str) -> String {
     )
 }
 
-fn bar(run: &Run, y: f64, colors: &Colors) -> String {
-    let middle = y + BAR / 2.0 + 4.5;
+fn bar(run: &Run, colors: &Colors, most: f64) -> String {
     let count = tick(run.particles as f64);
-    let mut svg = format!(
-        "<text class=\"name\" x=\"{:.1}\" y=\"{middle:.1}\" text-anchor=\"end\">{count}</text>",
-        LEFT - 12.0
+    let mut html = format!(
+        "<div class=\"row\"><span class=\"name\">{count}</span><span class=\"value\">{} ms</span><div class=\"stack\">",
+        digits(run.frame_ms.median)
     );
-    let mut x = LEFT;
     for pass in &run.passes {
         let share = share(pass, run);
-        let width = share * (RIGHT - LEFT);
         let gb = pass
             .gb_per_s
             .map_or(String::new(), |rate| format!(", {} GB/s", digits(rate)));
@@ -139,27 +125,21 @@ fn bar(run: &Run, y: f64, colors: &Colors) -> String {
             digits(pass.ms.p90),
             percent(share)
         );
-        // A hair of the ground between two pieces.
-        let shown = (width - 1.0).max(0.3);
-        svg += &format!(
-            "<rect x=\"{x:.2}\" y=\"{y:.1}\" width=\"{shown:.2}\" height=\"{BAR}\" rx=\"2\" fill=\"{}\"><title>{}</title></rect>",
+        let label = match ROOM.map(|least| share >= least) {
+            [false, _] => String::new(),
+            [_, narrow] => format!(
+                "<b{}>{} {:.0} %</b>",
+                if narrow { "" } else { " class=\"roomy\"" },
+                escaped(last(&pass.name)),
+                share * 100.0
+            ),
+        };
+        html += &format!(
+            "<i style=\"width:{:.3}%;background:{}\" title=\"{}\">{label}</i>",
+            share / most * 100.0,
             colors.of(&pass.name),
             escaped(&words)
         );
-        let name = last(&pass.name);
-        let label = format!("{name} {:.0} %", share * 100.0);
-        if label.chars().count() as f64 * 7.0 + 10.0 < width {
-            svg += &format!(
-                "<text class=\"on\" x=\"{:.1}\" y=\"{middle:.1}\" text-anchor=\"middle\" pointer-events=\"none\">{}</text>",
-                x + width / 2.0,
-                escaped(&label)
-            );
-        }
-        x += width;
     }
-    let frame = digits(run.frame_ms.median);
-    svg + &format!(
-        "<text class=\"name\" x=\"{:.1}\" y=\"{middle:.1}\">{frame} ms</text>",
-        RIGHT + 12.0
-    )
+    html + "</div></div>\n"
 }

@@ -28,26 +28,14 @@ pub(super) fn pass_color(at: usize) -> String {
     format!("var(--p{})", at % 10)
 }
 
-/// From values to pixels.
+/// From values to pixels, over their logarithms.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scale {
     from: [f64; 2],
     to_px: [f64; 2],
-    is_log: bool,
 }
 
 impl Scale {
-    /// From 0 to a round number at or above `most`.
-    pub(super) fn linear(most: f64, to_px: [f64; 2]) -> Self {
-        let most = if most > 0.0 { most } else { 1.0 };
-        let step = linear_step(most);
-        Self {
-            from: [0.0, (most / step).ceil() * step],
-            to_px,
-            is_log: false,
-        }
-    }
-
     /// Between 1, 2 or 5 times powers of ten that hold all these values, which are above 0.
     pub(super) fn log(values: impl Iterator<Item = f64> + Clone, to_px: [f64; 2]) -> Self {
         let least = values.clone().fold(f64::MAX, f64::min);
@@ -63,16 +51,14 @@ impl Scale {
         Self {
             from: [low.unwrap_or(least), high.unwrap_or(most)],
             to_px,
-            is_log: true,
         }
     }
 
     /// Pixels of a value.
     pub(super) fn at(&self, value: f64) -> f64 {
-        let on = |value: f64| if self.is_log { value.log10() } else { value };
-        let [low, high] = self.from.map(on);
+        let [low, high] = self.from.map(f64::log10);
         let [start, end] = self.to_px;
-        start + (on(value) - low) / (high - low) * (end - start)
+        start + (value.log10() - low) / (high - low) * (end - start)
     }
 
     /// Whether a value lies within.
@@ -80,21 +66,9 @@ impl Scale {
         (self.from[0]..=self.from[1]).contains(&value)
     }
 
-    /// Values that get a number.
-    pub(super) fn numbers(&self) -> impl Iterator<Item = f64> {
-        let ticks = self.ticks().into_iter();
-        ticks.filter_map(|(value, is_told)| is_told.then_some(value))
-    }
-
     /// Values to be marked, and whether they get a number.
     fn ticks(&self) -> Vec<(f64, bool)> {
         let [low, high] = self.from;
-        if !self.is_log {
-            let step = linear_step(high);
-            return (0..=(high / step).round() as u32)
-                .map(|at| (f64::from(at) * step, true))
-                .collect();
-        }
         let inside = |it: &f64| (low * 0.999_999..=high * 1.000_001).contains(it);
         let round: Vec<f64> = round_numbers(low, high)
             .into_iter()
@@ -107,16 +81,6 @@ impl Scale {
             .map(|it| (it, few || is_decade(it)))
             .collect()
     }
-}
-
-fn linear_step(most: f64) -> f64 {
-    let fifth = most / 5.0;
-    let power = 10f64.powf(fifth.log10().floor());
-    let steps = [1.0, 2.0, 2.5, 5.0, 10.0].map(|it| it * power);
-    steps
-        .into_iter()
-        .find(|step| *step >= fifth * 0.999_999)
-        .unwrap_or(power * 10.0)
 }
 
 fn round_numbers(low: f64, high: f64) -> Vec<f64> {
@@ -217,11 +181,17 @@ pub(super) fn spread_apart(wanted: &[f64], gap: f64, [top, bottom]: [f64; 2]) ->
     placed
 }
 
-/// A picture of this size with a title for those who cannot see it.
-pub(super) fn picture(width: f64, height: f64, title: &str, inside: &str) -> String {
+/// A picture of this size with a title for those who cannot see it, for pages that are `wide` or
+/// `narrow`.
+pub(super) fn picture(
+    class: &str,
+    (width, height): (f64, f64),
+    title: &str,
+    inside: &str,
+) -> String {
     let title = escaped(title);
     format!(
-        "<svg viewBox=\"0 0 {width} {height}\" role=\"img\" aria-label=\"{title}\">{inside}</svg>\n"
+        "<svg class=\"{class}\" viewBox=\"0 0 {width} {height}\" role=\"img\" aria-label=\"{title}\">{inside}</svg>\n"
     )
 }
 
@@ -243,9 +213,12 @@ mod tests {
         let middle = scale.at((10.0f64 * 5000.0).sqrt());
         assert!((middle - 300.0).abs() < 1e-9);
         assert_eq!(Scale::log([7.0].into_iter(), [0.0, 1.0]).from, [2.0, 20.0]);
-        let linear = Scale::linear(290.0, [0.0, 600.0]);
-        assert_eq!((linear.from, linear.at(150.0)), ([0.0, 300.0], 300.0));
-        assert_eq!(linear.ticks().len(), 4);
+        assert_eq!(
+            Scale::log([1.0, 50.0].into_iter(), [0.0, 1.0])
+                .ticks()
+                .len(),
+            6
+        );
     }
 
     #[test]

@@ -10,7 +10,7 @@ use super::svg::{color, escaped, tick};
 
 /// What a record is of, and its best rate.
 pub(super) fn card(at: usize, labelled: &Labelled) -> String {
-    let Labelled { label, record } = labelled;
+    let Labelled { label, record, .. } = labelled;
     let rate = |rate: Option<f64>| rate.map_or("unknown".to_owned(), |it| digits(it) + " GB/s");
     let mut facts = vec![
         ("adapter", record.adapter.clone()),
@@ -32,12 +32,15 @@ pub(super) fn card(at: usize, labelled: &Labelled) -> String {
         (
             "motes",
             format!(
-                "{} {:.12}",
+                "{}, commit {:.12}",
                 record.motes,
-                record.commit.as_deref().unwrap_or_default()
+                record.commit.as_deref().unwrap_or("unknown")
             ),
         ),
     ];
+    if let Some(ms) = &record.dispatch_ms {
+        facts.insert(6, ("an idle dispatch", digits(ms.median) + " ms"));
+    }
     let options = record
         .options
         .iter()
@@ -48,6 +51,9 @@ pub(super) fn card(at: usize, labelled: &Labelled) -> String {
         color(at),
         escaped(label)
     );
+    if let Some(file) = labelled.file {
+        html += &format!("<div class=\"file\">{}</div>", escaped(file.trim()));
+    }
     if let Some((rate, run)) = best(record) {
         html += &format!(
             "<div class=\"big\">{} <small>particles a second in {} at {}</small></div>",
@@ -63,23 +69,46 @@ pub(super) fn card(at: usize, labelled: &Labelled) -> String {
             html += &format!("<dt>{}</dt><dd>{}</dd>", escaped(key), escaped(value));
         }
     }
-    html + "</dl>" + &warnings(&record.warnings) + "</section>\n"
+    html + "</dl></section>\n"
 }
 
 fn best(record: &Record) -> Option<(f64, &Run)> {
-    let timed = record.runs.iter().filter(|run| run.frame_ms.median > 0.0);
-    let rates = timed.map(|run| {
-        (
-            run.live.unwrap_or(run.particles) as f64 / (run.frame_ms.median * 1e-3),
-            run,
-        )
-    });
+    let runs = record.runs.iter();
+    let rates = runs.filter_map(|run| Some((run.particles_per_s()?, run)));
     rates.max_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+/// What a reader should know before believing any of it, at the top; nothing where all is well.
+pub(super) fn notices(records: &[Labelled]) -> String {
+    let mut items = String::new();
+    let mut tell = |place: &str, texts: &[String]| {
+        for text in texts {
+            items += &format!("<li><b>{}</b>: {}</li>\n", escaped(place), escaped(text));
+        }
+    };
+    for Labelled { label, record, .. } in records {
+        tell(label, &record.warnings);
+        tell(
+            &format!("{label}, kernels alone"),
+            &remarks::of_micro(record),
+        );
+        for run in &record.runs {
+            let count = tick(run.particles as f64);
+            let place = format!("{label}, {} at {count}", run.scene);
+            tell(&place, &remarks::of_run(run));
+        }
+    }
+    match items.as_str() {
+        "" => String::new(),
+        items => format!(
+            "<section class=\"notice\"><h3>Before you believe it</h3>\n<ul>\n{items}</ul></section>\n"
+        ),
+    }
 }
 
 /// All numbers of a record, folded away.
 pub(super) fn tables(at: usize, labelled: &Labelled) -> String {
-    let Labelled { label, record } = labelled;
+    let Labelled { label, record, .. } = labelled;
     let label = escaped(label);
     let mut html = String::new();
     if !record.micro.is_empty() {
@@ -96,21 +125,31 @@ pub(super) fn tables(at: usize, labelled: &Labelled) -> String {
         );
     }
     for run in &record.runs {
-        let frame = run.frame_ms.median;
-        let mut rows: String = run
-            .passes
-            .iter()
-            .map(|pass| row(pass, Some(frame)))
-            .collect();
+        let share = |ms: &Spread| run.share_of_frame(ms);
+        let rows = run.passes.iter().map(|pass| row(pass, share(&pass.ms)));
+        let mut rows: String = rows.collect();
         let sums = [
             ("whole step", &run.step_ms),
             ("whole draw", &run.draw_ms),
             ("whole frame", &run.frame_ms),
         ];
-        rows += &sums.map(|(name, ms)| sum(name, ms, frame)).concat();
+        rows += &sums.map(|(name, ms)| sum(name, ms, share(ms))).concat();
         rows += &run.wall_ms.as_ref().map_or(String::new(), |ms| {
-            sum("frame by the machine's clock", ms, frame)
+            sum("frame by the machine's clock", ms, share(ms))
         });
+        let alone = |ms: f64| Spread {
+            median: ms,
+            p10: ms,
+            p90: ms,
+            ..Spread::default()
+        };
+        if let Some(ms) = run.floor_ms(record).map(alone) {
+            rows += &sum("floor: a copy of as many bytes", &ms, share(&ms));
+        }
+        if let Some((ms, count)) = run.dispatches_ms() {
+            let ms = alone(ms);
+            rows += &sum(&format!("{count} idle dispatches"), &ms, share(&ms));
+        }
         let memory = match run.gpu_memory_bytes {
             Some(bytes) => format!(", {} on the device", binary_bytes(bytes)),
             None => String::new(),
@@ -142,7 +181,7 @@ fn folded(title: &str, at: usize, rows: &str, after: &str) -> String {
     )
 }
 
-fn row(measure: &Measure, frame_ms: Option<f64>) -> String {
+fn row(measure: &Measure, share: Option<f64>) -> String {
     let Measure {
         name,
         ms,
@@ -155,9 +194,6 @@ fn row(measure: &Measure, frame_ms: Option<f64>) -> String {
     let note = note.as_ref().map_or(String::new(), |note| {
         format!(" title=\"{}\"", escaped(note))
     });
-    let share = frame_ms
-        .filter(|frame| *frame > 0.0)
-        .map(|frame| ms.median / frame);
     let bar = share.map_or(String::new(), |share| {
         let width = (share * 120.0).clamp(0.0, 120.0);
         format!("<span class=\"bar\" style=\"width:{width:.1}px\"></span>")
@@ -173,11 +209,8 @@ fn row(measure: &Measure, frame_ms: Option<f64>) -> String {
     )
 }
 
-fn sum(name: &str, ms: &Spread, frame_ms: f64) -> String {
-    let share = match frame_ms > 0.0 {
-        true => percent(ms.median / frame_ms),
-        false => String::new(),
-    };
+fn sum(name: &str, ms: &Spread, share: Option<f64>) -> String {
+    let share = share.map_or(String::new(), percent);
     let times = times(ms);
     format!(
         "<tr class=\"sum\"><td>{name}</td>{times}<td></td><td></td><td></td><td>{share}</td><td></td></tr>\n"

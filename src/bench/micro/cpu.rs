@@ -8,7 +8,6 @@ use rayon::prelude::*;
 
 use super::Entry;
 use crate::backend::BackendError;
-use crate::bench::copy::CpuCopy;
 use crate::bench::spread::Clock;
 use crate::gpu::TABLE_WORDS;
 use crate::noise::noise;
@@ -38,12 +37,33 @@ fn place(at: u32) -> Vec3 {
 }
 
 /// A copy by one thread.
-pub(super) fn copy_buffer(records: u32) -> Result<Entry, BackendError> {
-    let mut whole = CpuCopy::new(records, usize::MAX)?;
+fn copy_buffer(records: u32) -> Result<Entry, BackendError> {
+    let mut whole = super::copy_by_one_thread(records)?;
     let copied = move || {
         whole.run();
     };
-    Ok(entry("copy_buffer", records, 64, copied).noted("one thread"))
+    let copied = entry("copy_buffer", records, 64, copied).noted("one thread");
+    Ok(Entry {
+        by_interface: true,
+        ..copied
+    })
+}
+
+/// The stable sort of the standard library, by keys of 32 bits; putting them back is not timed.
+fn sort(pairs: u32) -> Entry {
+    let unsorted: Vec<[u32; 2]> = (0..pairs).map(|at| [mixed(at), at]).collect();
+    let mut sorted = unsorted.clone();
+    let run = move || {
+        sorted.copy_from_slice(&unsorted);
+        let begun = Instant::now();
+        sorted.sort_by_key(|pair| pair[0]);
+        std::hint::black_box(&mut sorted);
+        Ok((begun.elapsed().as_secs_f64() * 1e3, Clock::Wall))
+    };
+    // Each pair is read and written once at least.
+    let count = u64::from(pairs);
+    Entry::new("sort", count, count * 16, Box::new(run))
+        .noted("pairs by keys of 32 bits, one thread")
 }
 
 /// All of them.
@@ -98,5 +118,6 @@ pub(super) fn entries(records: u32) -> Result<Vec<Entry>, BackendError> {
             std::hint::black_box(sum);
         })
         .noted("a sample of the wind's noise"),
+        sort(records),
     ])
 }

@@ -4,7 +4,10 @@ use super::Entry;
 use crate::backend::BackendError;
 use crate::bench::copy::{forms, of_form, timed};
 use crate::bench::splats::{SHAPES, SIZE_PX};
-use crate::gpu::{self, GpuDevice, RasterShape, RasterTarget, Yardstick, YardstickMemory};
+use crate::gpu::{
+    self, GpuDevice, RasterShape, RasterTarget, SortYardstick, Yardstick, YardstickMemory,
+    sort_bytes,
+};
 use std::rc::Rc;
 
 /// Invocations in a workgroup of what is not tried in several sizes.
@@ -59,24 +62,15 @@ fn entry(
     Entry::new(name, items, bytes, run)
 }
 
-/// The interface's own copy, on records of its own.
-pub(super) fn copy_buffer(device: &GpuDevice, records: u32) -> Result<Entry, BackendError> {
-    let memory = Rc::new(YardstickMemory::new(device, records)?);
-    let copied = Yardstick::copy_buffer(&memory)?;
-    Ok(entry(
-        &memory,
-        "copy_buffer",
-        64 * u64::from(records),
-        copied,
-    ))
-}
-
 /// All but the rasteriser.
 pub(super) fn entries(device: &GpuDevice, records: u32) -> Result<Vec<Entry>, BackendError> {
     let memory = Rc::new(YardstickMemory::new(device, records)?);
     let count = u64::from(records);
     let copied = Yardstick::copy_buffer(&memory)?;
-    let mut entries = vec![entry(&memory, "copy_buffer", 64 * count, copied)];
+    let mut entries = vec![Entry {
+        by_interface: true,
+        ..entry(&memory, "copy_buffer", 64 * count, copied)
+    }];
     for form in forms(device) {
         let (_, size, yardstick) = of_form(&memory, form)?;
         let name = form.1.replace("bench/", "");
@@ -95,7 +89,17 @@ pub(super) fn entries(device: &GpuDevice, records: u32) -> Result<Vec<Entry>, Ba
     let words = count.div_ceil(32);
     let scan = Yardstick::scan(&memory, WORKGROUP)?;
     entries.push(entry(&memory, "scan", words * 12, scan).noted("one bit a record, five kernels"));
+    entries.push(sort(device, records)?);
     Ok(entries)
+}
+
+/// The stable sort of as many pairs, at most as many as a binding holds.
+fn sort(device: &GpuDevice, pairs: u32) -> Result<Entry, BackendError> {
+    let mut sort = SortYardstick::new(device, pairs, WORKGROUP)?;
+    let items = u64::from(sort.count());
+    let about = format!("{items} pairs by keys of 32 bits, 8 a pass, four kernels each");
+    let run = Box::new(move || timed(&mut sort.yardstick));
+    Ok(Entry::new("sort", items, sort_bytes(items), run).noted(about))
 }
 
 /// What the device's own rasteriser needs for as many particles, of the small discs' size.
@@ -103,11 +107,12 @@ pub(super) fn rasters(device: &GpuDevice, particles: u32) -> Result<Vec<Entry>, 
     let disc = SHAPES
         .iter()
         .find(|shape| shape.name == "splat_discs_small");
-    let radius_px = disc.map_or(1.0, |shape| shape.radius_px);
+    // As wide as what the splat covers, to a thousandth of a pixel.
+    let radius_px = disc.map_or(1.0, |shape| shape.edged_radius_px());
     let quads = RasterShape::Quads {
-        radius_millipixels: (radius_px * 1e3) as u32,
+        radius_millipixels: (radius_px * 1e3).round() as u32,
     };
-    let side = f64::from(2.0 * radius_px + 1.0);
+    let side = 2.0 * radius_px + 1.0;
     // A device of its own: after a render pass, llvmpipe (Mesa 22.3.6) runs no more compute on one.
     let Some(device) = gpu::open(&device.description.name)? else {
         return Ok(Vec::new());

@@ -9,6 +9,8 @@ mod tests;
 use std::path::PathBuf;
 use std::time::Instant;
 
+use super::collisions::{self, Input, Output};
+use super::names::SceneName;
 use super::{CliError, note, print, progress_bar};
 use crate::check::{self, CompareOptions, Outcome, SavedFor, compare, default_frames, shrunk};
 use crate::output::write_whole;
@@ -20,7 +22,7 @@ use side::Side;
 #[derive(Debug, clap::Args)]
 pub(super) struct CheckArgs {
     /// TOML files, or names of built-in scenes [default: every built-in scene]
-    #[arg(value_name = "SCENE")]
+    #[arg(value_name = "SCENE", value_parser = SceneName, hide_possible_values = true)]
     scenes: Vec<String>,
     /// Frames of each scene, from 0 [default: enough to see births and deaths; all with --full]
     #[arg(long, value_name = "N", value_parser = parse_frames, allow_hyphen_values = true)]
@@ -78,6 +80,8 @@ struct Report {
     tested: Side,
     against: Side,
     scenes: Vec<Checked>,
+    /// Letters of the longest name, or more.
+    name_width: usize,
 }
 
 impl Report {
@@ -89,30 +93,16 @@ impl Report {
 }
 
 pub(super) fn run(args: &CheckArgs) -> Result<u8, CliError> {
-    places(args)?;
     let jobs = jobs(args)?;
     let (tested, against) = side::both(&args.adapter, &args.against)?;
     check_all(args, &jobs, tested, against)
 }
 
 /// Refuses reports that cannot be written, before the scenes are run for nothing.
-fn places(args: &CheckArgs) -> Result<(), CliError> {
-    let reports = [("--json", &args.json), ("--junit", &args.junit)];
-    for (argument, path) in reports {
-        if let Some(path) = path {
-            super::refuse_folder(argument, path)?;
-        }
-    }
-    if let (Some(json), Some(junit)) = (&args.json, &args.junit)
-        && json == junit
-    {
-        return Err(CliError::usage(
-            format!(
-                "--json and --junit would be written to the same file: {}",
-                json.display()
-            ),
-            "give each report a path of its own",
-        ));
+fn places(args: &CheckArgs, inputs: &[Input]) -> Result<(), CliError> {
+    let mut outputs = Output::given([("--json", &args.json), ("--junit", &args.junit)]);
+    for output in &outputs {
+        super::refuse_folder(output.what(), output.path())?;
     }
     if let Some(file) = args.save.as_deref().filter(|path| path.is_file()) {
         return Err(CliError::usage(
@@ -120,7 +110,9 @@ fn places(args: &CheckArgs) -> Result<(), CliError> {
             "name a folder, which is made if it is not there",
         ));
     }
-    Ok(())
+    let folder = args.save.iter();
+    outputs.extend(folder.map(|folder| Output::folder("--save", folder)));
+    collisions::refuse(&outputs, inputs)
 }
 
 /// Checks the scenes and writes the reports; the exit code.
@@ -134,6 +126,12 @@ fn check_all(args: &CheckArgs, jobs: &[Job], tested: Side, against: Side) -> Res
         tested,
         against,
         scenes: Vec::new(),
+        name_width: jobs
+            .iter()
+            .map(|job| job.name.chars().count())
+            .max()
+            .unwrap_or(0)
+            .max(16),
     };
     let mut failure = None;
     for job in jobs {
@@ -165,11 +163,18 @@ fn jobs(args: &CheckArgs) -> Result<Vec<Job>, CliError> {
     let loader = Loader {
         allow_outside: args.allow_outside,
     };
-    asked
+    let mut inputs = Vec::new();
+    let mut scenes = Vec::new();
+    for asked in asked {
+        let draft = loader.draft(&asked, &[])?;
+        scenes.push((asked, draft.scene()?));
+        inputs.extend(draft.files());
+    }
+    places(args, &inputs)?;
+    super::tell_notes(scenes.iter().map(|(_, scene)| scene));
+    scenes
         .into_iter()
-        .map(|asked| {
-            let mut scene = loader.load(&asked)?;
-            super::tell_notes(&scene);
+        .map(|(asked, mut scene)| {
             let all = if args.full {
                 scene.frames
             } else {
@@ -220,7 +225,7 @@ fn check_scene(args: &CheckArgs, job: &Job, report: &mut Report) -> Result<(), C
             return Err(error.into());
         }
     };
-    let mut text = line(&scene, &outcome);
+    let mut text = line(&scene, report.name_width, &outcome);
     let mut saved = Ok(None);
     if let Some(difference) = &outcome.difference {
         for line in difference.to_string().lines() {
@@ -261,7 +266,7 @@ fn check_scene(args: &CheckArgs, job: &Job, report: &mut Report) -> Result<(), C
 }
 
 /// The scene's line on standard output.
-fn line(scene: &str, outcome: &Outcome) -> String {
+fn line(scene: &str, width: usize, outcome: &Outcome) -> String {
     let Outcome {
         frames,
         most_particles,
@@ -280,7 +285,7 @@ fn line(scene: &str, outcome: &Outcome) -> String {
         births => format!("  ({births} births dropped)"),
     };
     format!(
-        "{scene:<16} {frames:>4} frames  {most_particles:>9} particles  state {state_digest:016x}  \
+        "{scene:<width$} {frames:>4} frames  {most_particles:>9} particles  state {state_digest:016x}  \
          image {image_digest:016x}  {verdict}{dropped}\n"
     )
 }

@@ -28,7 +28,7 @@ pub(super) fn both(tested: &str, against: &str) -> Result<(Side, Side), CliError
         return Err(CliError::usage(
             "the processor would be compared with itself",
             format!(
-                "name another adapter with --adapter; there are {}",
+                "name another adapter with --adapter; adapters here: {}",
                 adapter_names().join(", ")
             ),
         ));

@@ -3,12 +3,14 @@
 use std::ops::Range;
 use std::path::PathBuf;
 
+use crate::cli::names::SceneName;
 use crate::scene::Loader;
 
 /// Arguments of `motes render`.
 #[derive(Debug, clap::Args)]
 pub(in crate::cli) struct RenderArgs {
     /// A TOML file, or the name of a built-in scene (`motes scenes` lists them)
+    #[arg(value_parser = SceneName, hide_possible_values = true)]
     pub(super) scene: String,
     /// Where to: a folder (a PNG a frame), name-%04d.png or name-%04d.exr (a file a frame), .png or
     /// .exr (one frame), .gif, .mp4 (through ffmpeg), .svg (one frame as lines). EXR is linear and

@@ -6,13 +6,14 @@ use crate::cli::CliError;
 use crate::layout::FrameStats;
 use crate::output::{
     BoidCounts, FlameCounts, LinearImage, Measured, ParticleCounts, Picture, Pixels, Rgba8Image,
-    StatsRow, dump_path, write_boids, write_flames, write_particles,
+    StatsRow, SystemCounts, dump_path, write_boids, write_flames, write_particles,
 };
 use crate::plan::Population;
 use crate::scene::Scene;
 use crate::simulation::Simulation;
 
-/// The rows of a frame, whose line of statistics is given: its populations' and its picture's.
+/// The rows of a frame, whose line of statistics is given: its populations', its flocks' and its
+/// picture's.
 pub(super) fn rows_of(
     simulation: &mut Simulation,
     line: &FrameStats,
@@ -25,6 +26,12 @@ pub(super) fn rows_of(
         dropped: line.dropped.into(),
         died_of_intensity: line.died_of_intensity.into(),
         died_of_bounds: line.died_of_bounds.into(),
+    };
+    let systems = SystemCounts {
+        requested: line.systems_requested.into(),
+        born: line.systems_born.into(),
+        died: line.systems_died.into(),
+        live: line.systems_live.into(),
     };
     let plan = simulation.plan();
     let begins = line.frame == plan.first_frame.cast_unsigned();
@@ -41,20 +48,27 @@ pub(super) fn rows_of(
             frame: line.frame,
             population,
             measured,
-            digest: Some(digest),
+            digest,
         };
         rows.push(row.to_line());
     };
     for population in populations {
         let measured = match population {
+            Population::Systems => Measured::Systems(systems),
             Population::Boids => Measured::Boids(boids),
             Population::Flames => Measured::Flames(flames),
             _ => Measured::Particles(counts),
         };
         let digest = simulation.population_digest(population)?;
-        row(population.name(), measured, digest);
+        row(population.name(), measured, Some(digest));
     }
-    row("image", Measured::Image, simulation.image_digest()?);
+    let metrics = simulation.flock_metrics()?;
+    let image_digest = simulation.image_digest()?;
+    for (name, metrics) in simulation.plan().flock_names().zip(metrics) {
+        let born = if begins { metrics.count.into() } else { 0 };
+        row(name, Measured::Flock { born, metrics }, None);
+    }
+    row("image", Measured::Image, Some(image_digest));
     Ok(rows)
 }
 
@@ -62,11 +76,14 @@ pub(super) fn rows_of(
 pub(super) fn dump(simulation: &mut Simulation, dir: &Path, frame: u32) -> Result<(), CliError> {
     let populations: Vec<Population> = simulation.plan().populations().collect();
     for population in populations {
+        if population == Population::Systems {
+            continue;
+        }
         let path = dump_path(dir, population.name(), frame);
         match population {
             Population::Boids => write_boids(&path, &simulation.boids()?)?,
             Population::Flames => write_flames(&path, &simulation.flames()?)?,
-            Population::Particles => write_particles(&path, &simulation.particles()?)?,
+            _ => write_particles(&path, &simulation.particles()?)?,
         }
     }
     Ok(())

@@ -1,12 +1,12 @@
 //! `motes render`: a scene becomes pictures, an animation, statistics and dumps.
 
 mod args;
-mod collisions;
 mod frame;
 
 mod job;
 mod journal;
 mod request;
+mod series;
 mod summary;
 #[cfg(test)]
 mod tests;
@@ -52,7 +52,8 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
         SimulationError::Plan(error) => CliError::of_plan(&error, &args.scene),
         error => error.into(),
     })?;
-    super::tell_notes(scene);
+    let turned = request.turns.iter().map(|turn| &turn.scene);
+    super::tell_notes(std::iter::once(scene).chain(turned));
     say_where(&args, &simulation, scene);
     say_what_is_beyond(&request);
     // First of all outputs, so that it knows who began what is left of them.

@@ -6,8 +6,9 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::args::RenderArgs;
-use super::collisions;
 use super::journal::Finished;
+use super::series;
+use crate::cli::collisions::Output;
 use crate::cli::{CliError, refuse_folder};
 use crate::output::{OutputTarget, dump_path};
 use crate::plan::{Population, Turn};
@@ -37,7 +38,8 @@ pub(super) struct Request {
 /// Checks all that can be known before anything is opened.
 pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
     let sets = sets(args);
-    let scene = args.loader().draft(&args.scene, &sets)?.scene()?;
+    let mut draft = args.loader().draft(&args.scene, &sets)?;
+    let scene = draft.scene()?;
     let frames = match (args.frame, &args.frames) {
         (Some(frame), _) => frame..frame + 1,
         (None, Some(frames)) => frames.clone(),
@@ -72,24 +74,29 @@ pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
     let dumps: Vec<PathBuf> = dumps
         .flat_map(|frame| dump_paths(&dump_dir, &populations, *frame))
         .collect();
-    collisions::refuse(&target, &frames, &layers, stats, &dumps)?;
-    let beside = Path::new(&args.scene).parent().unwrap_or(Path::new(""));
-    let meshes = scene.meshes();
-    let files = meshes.iter().filter(|mesh| mesh.name().contains('.'));
-    let files: Vec<PathBuf> = files.map(|mesh| beside.join(mesh.name())).collect();
-    let mut inputs = vec![
-        ("the scene", Some(Path::new(&args.scene))),
-        ("the recording (--inputs)", args.inputs.as_deref()),
-    ];
-    inputs.extend(
-        files
-            .iter()
-            .map(|file| ("a mesh of the scene", Some(file.as_path()))),
-    );
-    let target_path = target.path();
-    let mut outputs = vec![Some(&*target_path), stats];
-    outputs.extend(dumps.iter().map(|dump| Some(dump.as_path())));
-    collisions::refuse_inputs(&outputs, &inputs)?;
+    let (recording, turns) = match &args.inputs {
+        Some(path) => {
+            let (text, file) = (text_of(path)?, path.display().to_string());
+            let recording = Recording::parse(&text, &file)?;
+            let turns = recording.turns_on(&mut draft, (&text, &file));
+            let turns = turns.map_err(|refused| CliError {
+                message: refused.message,
+                code: 2,
+            })?;
+            (recording, turns)
+        }
+        None => (Recording::default(), Vec::new()),
+    };
+    // All files are known that the scene and its changes name.
+    let mut inputs = draft.files();
+    let recorded = args.inputs.clone();
+    inputs.extend(recorded.map(|path| ("the recording (--inputs)", path)));
+    let dumps = dumps
+        .iter()
+        .map(|path| Output::file("a dump (--dump)", path));
+    let stats = stats.map(|path| Output::file("the statistics (--stats)", path));
+    let others: Vec<Output> = stats.into_iter().chain(dumps).collect();
+    series::refuse(&target, &frames, &layers, &others, &inputs)?;
     if args.layers && target.layer_path(0, "").is_none() {
         return Err(CliError::usage(
             "--layers writes files beside those of the frames, and this output has none",
@@ -105,19 +112,6 @@ pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
             "pick one with --frame",
         ));
     }
-    let (recording, turns) = match &args.inputs {
-        Some(path) => {
-            let (text, file) = (text_of(path)?, path.display().to_string());
-            let recording = Recording::parse(&text, &file)?;
-            let turns = recording.turns_of((&text, &file), args.loader(), &args.scene, &sets);
-            let turns = turns.map_err(|refused| CliError {
-                message: refused.message,
-                code: 2,
-            })?;
-            (recording, turns)
-        }
-        None => (Recording::default(), Vec::new()),
-    };
     Ok(Request {
         scene,
         frames,

@@ -4,8 +4,8 @@
 use glam::{Vec2, Vec3, Vec4};
 
 use super::splat::layer_of;
-use crate::cpu::footprint::is_visible;
 use crate::cpu::projection::project;
+use crate::cpu::reach::is_visible;
 use crate::cpu::shape::{Look, disc_of, triangle_of};
 use crate::exact::{bits_of, cross3, less, normalize_exact};
 use crate::layout::{BOID_POINT, BOID_TRIANGLE, Boid, Cover, FlockFrame, Frame};

@@ -1,7 +1,9 @@
 //! cover: in every pixel, what covers it, from near to far.
 //!
 //! Not a translation of the kernels under `wgsl/draw/`: records are sorted by the standard library,
-//! and each row of tiles looks through all of them.
+//! and painted one after another.
+
+use std::ops::Range;
 
 use glam::Vec3;
 use rayon::prelude::*;
@@ -10,8 +12,8 @@ use crate::cpu::cover::{Layered, behind, bounds_of, far_to_near};
 use crate::exact::bits_of;
 use crate::layout::{COVER_NONE, Cover, Frame};
 
-/// Pixels of a tile's side.
-const TILE_PX: usize = 32;
+/// Rows of pixels that one task paints.
+const BAND_ROWS: usize = 8;
 
 /// Indices of the records that cover something, from near to far: the reverse of the order by depth
 /// and, of equal depth, identity.
@@ -33,39 +35,38 @@ pub fn cover(covers: &[Cover], frame: &Frame, rg: &mut [[u32; 2]], bt: &mut [[u3
         .map(|at| &covers[*at as usize])
         .map(|cover| (cover, bounds_of(cover, frame.width, frame.height)))
         .collect();
-    let band = width * TILE_PX;
+    let band = width * BAND_ROWS;
     let rows = rg.par_chunks_mut(band).zip(bt.par_chunks_mut(band));
     rows.enumerate().for_each(|(band, (rg, bt))| {
-        let top = band * TILE_PX;
-        let bottom = (top + TILE_PX).min(height);
-        let meets = |[_, first, _, end]: &[i32; 4]| *first < bottom as i32 && *end > top as i32;
-        let of_band: Vec<_> = seen.iter().filter(|(_, bounds)| meets(bounds)).collect();
-        for left in (0..width).step_by(TILE_PX) {
-            let right = (left + TILE_PX).min(width);
-            let of_tile: Vec<&Cover> = of_band
-                .iter()
-                .filter(|(_, [first, _, end, _])| *first < right as i32 && *end > left as i32)
-                .map(|(cover, _)| *cover)
-                .collect();
-            for y in top..bottom {
-                for x in left..right {
-                    let pixel = pixel_of(&of_tile, light_from, x as i32, y as i32);
-                    let at = (y - top) * width + x;
-                    rg[at] = [pixel.color.x, pixel.color.y].map(bits_of);
-                    bt[at] = [pixel.color.z, pixel.clear].map(bits_of);
-                }
-            }
+        let top = band * BAND_ROWS;
+        let bottom = (top + BAND_ROWS).min(height);
+        let pixels = painted(&seen, light_from, width, top..bottom);
+        for ((rg, bt), pixel) in rg.iter_mut().zip(bt).zip(pixels) {
+            *rg = [pixel.color.x, pixel.color.y].map(bits_of);
+            *bt = [pixel.color.z, pixel.clear].map(bits_of);
         }
     });
 }
 
-fn pixel_of(near_to_far: &[&Cover], light_from: Vec3, x: i32, y: i32) -> Layered {
-    let mut pixel = Layered::EMPTY;
-    for cover in near_to_far {
-        pixel = behind(pixel, cover, light_from, x, y);
-        if pixel.is_closed() {
-            break;
+/// The pixels of some rows: each record, from near to far, goes behind what its pixels show so far.
+fn painted(
+    near_to_far: &[(&Cover, [i32; 4])],
+    light_from: Vec3,
+    width: usize,
+    rows: Range<usize>,
+) -> Vec<Layered> {
+    let mut pixels = vec![Layered::EMPTY; width * rows.len()];
+    let (top, bottom) = (rows.start as i32, rows.end as i32);
+    for (cover, [left, first, right, end]) in near_to_far {
+        for y in *first.max(&top)..*end.min(&bottom) {
+            let row = (y - top) as usize * width;
+            for x in *left..*right {
+                let pixel = &mut pixels[row + x as usize];
+                if !pixel.is_closed() {
+                    *pixel = behind(*pixel, cover, light_from, x, y);
+                }
+            }
         }
     }
-    pixel
+    pixels
 }

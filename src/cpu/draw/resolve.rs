@@ -9,12 +9,25 @@ fn byte_of(light: f32) -> u32 {
     to_i32(clamp_unit(light) * 255.0 + 0.5) as u32
 }
 
+/// What is behind the light of a pixel, besides the background.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Behind {
+    /// The pixel of the planet, if there is one.
+    pub ground: Option<[u32; 4]>,
+    /// Words of `cover_rg` and `cover_bt` for the pixel, if anything covers.
+    pub covers: Option<([u32; 2], [u32; 2])>,
+}
+
 /// What is behind the light of a pixel's channel, red, green or blue: what covers it, and what of the
-/// background shows through; `covers` are words of `cover_rg` and `cover_bt` for that pixel, if
-/// anything covers.
+/// planet and of the background shows through.
 #[inline]
-pub(crate) fn behind(frame: &Frame, covers: Option<([u32; 2], [u32; 2])>, channel: usize) -> f32 {
-    let background = frame.background[channel];
+pub(crate) fn behind(frame: &Frame, what: Behind, channel: usize) -> f32 {
+    let Behind { ground, covers } = what;
+    let mut background = frame.background[channel];
+    if let Some(ground) = ground {
+        let [color, clear] = [ground[channel], ground[3]].map(f32::from_bits);
+        background = color * frame.exposure + background * clear;
+    }
     let Some(([red, green], [blue, clear])) = covers else {
         return background;
     };
@@ -24,15 +37,10 @@ pub(crate) fn behind(frame: &Frame, covers: Option<([u32; 2], [u32; 2])>, channe
 
 /// One pixel: RGBA with red in the low byte.
 #[inline]
-pub fn resolve(
-    frame: &Frame,
-    light: &LightSums,
-    covers: Option<([u32; 2], [u32; 2])>,
-    pixel: usize,
-) -> u32 {
+pub fn resolve(frame: &Frame, light: &LightSums, what: Behind, pixel: usize) -> u32 {
     let channel = |at: usize| {
         let (low, high) = light.limbs(pixel * 3 + at);
-        byte_of(light_of(low, high) * frame.exposure + behind(frame, covers, at))
+        byte_of(light_of(low, high) * frame.exposure + behind(frame, what, at))
     };
     channel(0) | (channel(1) << 8) | (channel(2) << 16) | 0xff00_0000
 }

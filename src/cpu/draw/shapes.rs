@@ -4,8 +4,8 @@
 use glam::{Vec2, Vec3, Vec4};
 
 use super::splat::layer_of;
-use crate::cpu::footprint::is_visible;
 use crate::cpu::particle::row_index;
+use crate::cpu::reach::is_visible;
 use crate::cpu::shape::{Look, disc_of, segment_of, square_of};
 use crate::cpu::sprite::{Sprite, sprite_of};
 use crate::exact::{f32_of_u32, less, shared_constants};

@@ -3,11 +3,14 @@
 
 use glam::{Vec2, Vec3};
 
-use crate::cpu::footprint::{Footprint, PI, SMALL_DISC, SMALL_SIDE, SQUARE, is_visible};
+use crate::cpu::disc::{SMALL_REACH_PX, reach_of, small_disc};
+use crate::cpu::draw::planet::is_beyond;
+use crate::cpu::footprint::Footprint;
 use crate::cpu::light::{LightSums, steps_of};
 use crate::cpu::particle::row_index;
+use crate::cpu::reach::{is_visible, moves};
 use crate::cpu::sprite::{Sprite, next_layer, sprite_of};
-use crate::exact::{clamp_unit, dot3, f32_of_i32, less, reciprocal, square_root, to_i32};
+use crate::exact::{dot3, less};
 use crate::layout::{Particle, ROW_OVER, SystemRow};
 use crate::plan::FrameInputs;
 
@@ -24,7 +27,7 @@ fn add_light(light: &LightSums, x: i32, y: i32, color: Vec3, weight: f32) {
 fn draw_row(light: &LightSums, shape: &Footprint, major: i32, color: Vec3) {
     let (low, high) = shape.minor_range(major);
     for minor in low.max(0)..high.min(shape.minor_size) {
-        let weight = if shape.kind == SQUARE {
+        let weight = if shape.square {
             shape.square_weight_at(major, minor)
         } else {
             shape.weight_at(major, minor) * shape.gain
@@ -40,42 +43,16 @@ fn draw_row(light: &LightSums, shape: &Footprint, major: i32, color: Vec3) {
     }
 }
 
-/// How much of a pixel a disc around `center` covers, 0 to 1.
-#[inline]
-fn disc_weight(center: Vec2, reach: f32, x: i32, y: i32) -> f32 {
-    let dx = f32_of_i32(x) + 0.5 - center.x;
-    let dy = f32_of_i32(y) + 0.5 - center.y;
-    clamp_unit(reach - square_root(dx * dx + dy * dy))
-}
-
-/// A small disc at rest: its weights, column by column, then their light.
-fn draw_small_disc(light: &LightSums, sprite: &Sprite, reach: f32) {
+/// A small disc at rest.
+fn draw_small_disc(light: &LightSums, sprite: &Sprite) {
     let center = Vec2::new(sprite.start.x, sprite.start.y);
-    let range = |middle: f32| {
-        let first = to_i32(middle - reach + 0.5);
-        let last = to_i32(middle + reach - 0.5);
-        first..first + (last - first + 1).min(SMALL_SIDE as i32)
-    };
-    let (columns, lines) = (range(center.x), range(center.y));
-    let mut weights = [0.0; (SMALL_SIDE * SMALL_SIDE) as usize];
-    let mut sum = 0.0;
-    for x in columns.clone() {
-        for y in lines.clone() {
-            let weight = disc_weight(center, reach, x, y);
-            weights[((x - columns.start) * SMALL_SIDE as i32 + y - lines.start) as usize] = weight;
-            sum += weight;
+    let (width, height) = (light.width as i32, light.height as i32);
+    small_disc(center, sprite.radius_px, |at, weight| {
+        let inside = (0..width).contains(&at.x) && (0..height).contains(&at.y);
+        if inside && less(0.0, weight) {
+            add_light(light, at.x, at.y, sprite.color, weight);
         }
-    }
-    let gain = PI * sprite.radius_px * sprite.radius_px * reciprocal(sum);
-    for x in columns.start.max(0)..columns.end.min(light.width as i32) {
-        for y in lines.start.max(0)..lines.end.min(light.height as i32) {
-            let at = (x - columns.start) * SMALL_SIDE as i32 + y - lines.start;
-            let weight = weights[at as usize] * gain;
-            if less(0.0, weight) {
-                add_light(light, x, y, sprite.color, weight);
-            }
-        }
-    }
+    });
 }
 
 /// The layer, from 1, that a world place is in.
@@ -93,8 +70,15 @@ pub(super) fn layer_of(planes: &[[f32; 4]], world: Vec3) -> u32 {
     }
 }
 
-/// Adds the light of `particle`, as of the frame of `inputs`.
-pub fn splat(particle: &Particle, inputs: &FrameInputs, rows: &[SystemRow], light: &LightSums) {
+/// Adds the light of `particle`, as of the frame of `inputs`, if it is on that side of a planet's
+/// outline.
+pub fn splat(
+    particle: &Particle,
+    inputs: &FrameInputs,
+    rows: &[SystemRow],
+    light: &LightSums,
+    is_behind: bool,
+) {
     let frame = &inputs.frame;
     let birth_frame = frame.frame.wrapping_sub(particle.age(frame.frame));
     let row = &rows[row_index(particle.slot(), birth_frame, frame.row_mask)];
@@ -109,6 +93,16 @@ pub fn splat(particle: &Particle, inputs: &FrameInputs, rows: &[SystemRow], ligh
     if frame.layer != 0 && layer_of(&inputs.layer_planes, sprite.world) != frame.layer {
         return;
     }
+    if let [planet] = inputs.planets.as_slice()
+        && is_beyond(planet, sprite.world) != is_behind
+    {
+        return;
+    }
+    let rests = !moves(start, end) && !sprite.square;
+    if rests && less(reach_of(sprite.radius_px), SMALL_REACH_PX) {
+        draw_small_disc(light, &sprite);
+        return;
+    }
     let shape = Footprint::new(
         frame,
         start,
@@ -117,11 +111,7 @@ pub fn splat(particle: &Particle, inputs: &FrameInputs, rows: &[SystemRow], ligh
         sprite.square,
         sprite.conserved,
     );
-    if shape.kind == SMALL_DISC {
-        draw_small_disc(light, &sprite, shape.reach);
-    } else {
-        for major in shape.first..shape.last {
-            draw_row(light, &shape, major, sprite.color);
-        }
+    for major in shape.first..shape.last {
+        draw_row(light, &shape, major, sprite.color);
     }
 }

@@ -1,10 +1,12 @@
 //! births: how many particles each system asks for, where they go, and how many there is room for.
-//! The float work is the twin of `wgsl/systems/births.wgsl`; the sums are plain Rust.
+//! The float work is the twin of `wgsl/lib/births.wgsl`; the sums are plain Rust.
 
 use crate::area::screen_area_px;
 use crate::cpu::particle::{Identity, STREAM_BIRTHS, draw};
 use crate::exact::{at_least_zero, shared_constants, to_i32};
-use crate::layout::{Counts, Frame, SYSTEM_PER_AREA, SYSTEM_STOCHASTIC, SystemFrame};
+use crate::layout::{
+    Counts, Frame, SYSTEM_BEARS_SYSTEMS, SYSTEM_PER_AREA, SYSTEM_STOCHASTIC, SystemFrame,
+};
 use crate::plan::FrameInputs;
 use crate::rng::{signed_float, unit_float};
 
@@ -13,7 +15,7 @@ shared_constants! {
     pub const MOST_BIRTHS: i32 = 16_777_215;
 }
 
-/// Births that the system asks for in `frame` (Reeves 1983, 2.1).
+/// Births that the system asks for in `frame`, of particles or systems (Reeves 1983, 2.1).
 pub fn births_of(system: &SystemFrame, frame: &Frame) -> u32 {
     let who = Identity {
         key: system.key,
@@ -41,7 +43,10 @@ pub fn births(inputs: &FrameInputs) -> (Vec<u32>, Vec<u32>) {
     let counts: Vec<u32> = inputs
         .systems
         .iter()
-        .map(|system| births_of(system, &inputs.frame))
+        .map(|system| match system.flags & SYSTEM_BEARS_SYSTEMS {
+            0 => births_of(system, &inputs.frame),
+            _ => 0,
+        })
         .collect();
     let mut offsets = vec![0];
     offsets.extend(counts.iter().scan(0u32, |sum, count| {

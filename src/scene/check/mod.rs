@@ -2,10 +2,12 @@
 
 mod fires;
 mod flocks;
+mod parents;
 mod tracks;
 
 pub(super) use fires::{fire, flames};
 pub(super) use flocks::{boids, no_such_flock};
+pub(super) use parents::parents;
 pub(super) use tracks::tracks;
 
 use super::read::{Reader, Spot};

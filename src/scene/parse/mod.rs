@@ -5,6 +5,7 @@ mod flock;
 mod system;
 mod wind;
 
+use std::path::PathBuf;
 use std::rc::Rc;
 
 use self::fire::fires;
@@ -14,13 +15,15 @@ use self::wind::wind;
 use super::check;
 use super::files::Files;
 use super::read::{Reader, Spot};
-use super::schema::{CAMERA, IMAGE, LAYER, LIGHT, SCENE};
+use super::schema::{CAMERA, IMAGE, LAMP, LAYER, LIGHT, PLANET, SCENE};
 use super::set;
 use super::set::Set;
 use super::tracks;
 use super::tree::{self, Node, Source};
 use super::values::{Quantity, choice, list, text, whole, whole32};
-use super::{Camera, Image, Layer, Light, Projection, Scene, SceneError, ShutterWeighting};
+use super::{
+    Camera, Image, Lamp, Layer, Light, Planet, Projection, Scene, SceneError, ShutterWeighting,
+};
 
 /// A scene's text, read but not yet checked, so that values can be changed.
 pub(crate) struct Draft {
@@ -37,6 +40,8 @@ impl Draft {
         name: &str,
         files: Files,
     ) -> Result<Self, SceneError> {
+        // Some editors begin a text with a byte order mark.
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let source = Rc::new(Source {
             file: file.to_owned(),
             text: text.to_owned(),
@@ -52,6 +57,12 @@ impl Draft {
     /// Changes a value.
     pub(crate) fn set(&mut self, set: &Set) -> Result<(), SceneError> {
         set::apply(&mut self.root, set)
+    }
+
+    /// Every file that was opened for it up to now, with what it is to the scene: its own, meshes,
+    /// and their buffers.
+    pub(crate) fn files(&self) -> Vec<(&'static str, PathBuf)> {
+        self.files.opened()
     }
 
     /// The scene that it is now, checked.
@@ -75,6 +86,7 @@ fn scene(root: &Node, name: &str, files: &Files) -> Result<Scene, SceneError> {
         frame_rate: table.must("frame_rate", whole32)?,
         seed: table.must("seed", whole)?,
         capacity: table.may("capacity", whole32)?,
+        max_systems: table.may("max_systems", whole32)?,
         steady_particles: table.may("steady_particles", whole32)?,
         image: table.must("image", image)?,
         camera: table.must("camera", camera)?,
@@ -84,6 +96,8 @@ fn scene(root: &Node, name: &str, files: &Files) -> Result<Scene, SceneError> {
         flocks: table.must("flock", flocks)?,
         fires: table.must("fire", |spot| fires(spot, files))?,
         light: table.must("light", light)?,
+        planet: table.may("planet", planet)?,
+        lamps: table.must("lamp", |spot| list(spot, lamp))?,
         winds: table.must("wind", |spot| list(spot, wind))?,
         layers: table.must("layer", |spot| list(spot, layer))?,
         tracks: Vec::new(),
@@ -134,6 +148,28 @@ fn light(spot: &Spot<'_>) -> Result<Light, SceneError> {
         direction: table.must("direction", check::direction)?,
         color: table.must("color", Quantity::read)?,
         ambient: table.must("ambient", Quantity::read)?,
+    })
+}
+
+fn planet(spot: &Spot<'_>) -> Result<Planet, SceneError> {
+    let table = Reader::new(spot.path.clone(), PLANET, spot.node)?;
+    Ok(Planet {
+        center: table.must("center", Quantity::read)?,
+        radius: table.must("radius", Quantity::read)?,
+        color: table.must("color", Quantity::read)?,
+        relief: table.must("relief", Quantity::read)?,
+        contrast: table.must("contrast", Quantity::read)?,
+        scale: table.must("scale", Quantity::read)?,
+        octaves: table.must("octaves", whole32)?,
+    })
+}
+
+fn lamp(_: usize, spot: &Spot<'_>) -> Result<Lamp, SceneError> {
+    let table = Reader::new(spot.path.clone(), LAMP, spot.node)?;
+    Ok(Lamp {
+        position: table.must("position", Quantity::read)?,
+        color: table.must("color", Quantity::read)?,
+        distance: table.must("distance", Quantity::read)?,
     })
 }
 

@@ -3,15 +3,15 @@
 use crate::scene::check;
 use crate::scene::files::Files;
 use crate::scene::read::{Reader, Spot};
-use crate::scene::schema::{BURST, SYSTEM};
+use crate::scene::schema::{BURST, INHERIT, SYSTEM};
 use crate::scene::tree::Node;
 use crate::scene::values::{
-    Quantity, changing, choice, list, signed32, spread, text, variant, wholes,
+    Quantity, changing, choice, list, signed32, spread, text, variant, whole32, wholes,
 };
 use crate::scene::{
-    Attractor, BirthMoment, BirthRounding, Births, Blend, Burst, EjectionAxis, EjectionSpread,
-    Extinction, GenerationShape, Integration, Intensity, ParticleShape, ParticleSpace, SceneError,
-    Shading, Side, StreakLight, System,
+    Attractor, BirthMoment, BirthRounding, BirthUnit, Births, Blend, Burst, ChildUp, EjectionAxis,
+    EjectionSpread, Extinction, GenerationShape, Inherit, Integration, Intensity, ParticleShape,
+    ParticleSpace, SceneError, Shading, Side, StreakLight, System,
 };
 
 pub(super) fn systems(spot: &Spot<'_>, files: &Files) -> Result<Vec<System>, SceneError> {
@@ -19,6 +19,7 @@ pub(super) fn systems(spot: &Spot<'_>, files: &Files) -> Result<Vec<System>, Sce
     if systems.is_empty() {
         return Err(spot.wrong_kind());
     }
+    check::parents(&systems, spot)?;
     Ok(systems)
 }
 
@@ -42,9 +43,13 @@ fn system(index: usize, node: &Node, files: &Files) -> Result<System, SceneError
     ];
     let shape = table.must("generation_shape", |spot| generation_shape(spot, files))?;
     let axis = default_axis(&shape);
+    let is_rings = matches!(shape, GenerationShape::Rings { .. });
     let lights = [StreakLight::Conserved, StreakLight::Constant];
     let system = System {
         name: table.must("name", text)?,
+        parent: table.may("parent", text)?,
+        child_up: [ChildUp::Parent, ChildUp::Outward][table.must("child_up", choice)?],
+        inherit: table.must("inherit", inherit)?,
         position: table.must("position", Quantity::read)?,
         rotation_degrees: table.must("rotation_degrees", Quantity::read)?,
         first_frame: table.must("first_frame", signed32)?,
@@ -69,6 +74,8 @@ fn system(index: usize, node: &Node, files: &Files) -> Result<System, SceneError
         transparency: table.must("transparency", changing)?,
         size: table.must("size", changing)?,
         acceleration: table.must("acceleration", Quantity::read)?,
+        acceleration_space: [ParticleSpace::World, ParticleSpace::System]
+            [table.must("acceleration_space", choice)?],
         drag: table.must("drag", Quantity::read)?,
         integration: [Integration::Euler, Integration::Parabola]
             [table.must("integration", choice)?],
@@ -82,7 +89,10 @@ fn system(index: usize, node: &Node, files: &Files) -> Result<System, SceneError
         extinctions: table.must("extinction", |spot| list(spot, |_, spot| extinction(spot)))?,
         light_distance: table.may("light_distance", Quantity::read)?,
         // Last: where there are none, they may have slipped into a table below, which says so.
-        births: births(&table)?,
+        births: match is_rings && !check::has_births(&table) {
+            true => Births::none(BirthUnit::Frame),
+            false => births(&table)?,
+        },
     };
     check::frames(system.first_frame, system.end_frame, &table)?;
     check::triggers(&system, &table)?;
@@ -114,6 +124,21 @@ fn births(table: &Reader<'_>) -> Result<Births, SceneError> {
         cubic_var_parts: number(7)?,
         mean_parts_wander: table.must("mean_parts_wander", Quantity::read)?,
         mean_parts_wander_frames: table.must("mean_parts_wander_frames", Quantity::read)?,
+    })
+}
+
+fn inherit(spot: &Spot<'_>) -> Result<Inherit, SceneError> {
+    let table = Reader::new(spot.path.clone(), INHERIT, spot.node)?;
+    Ok(Inherit {
+        mean_parts: table.must("mean_parts", Quantity::read)?,
+        var_parts: table.must("var_parts", Quantity::read)?,
+        generation_scale: table.must("generation_scale", Quantity::read)?,
+        ejection_angle_degrees: table.must("ejection_angle_degrees", Quantity::read)?,
+        speed: table.must("speed", spread)?,
+        lifetime: table.must("lifetime", spread)?,
+        color: table.must("color", changing)?,
+        transparency: table.must("transparency", changing)?,
+        size: table.must("size", changing)?,
     })
 }
 
@@ -163,6 +188,7 @@ fn default_axis(shape: &GenerationShape) -> EjectionAxis {
         GenerationShape::Sphere { .. }
         | GenerationShape::Cone { .. }
         | GenerationShape::Attractor { .. }
+        | GenerationShape::Rings { .. }
         | GenerationShape::Mesh { .. } => EjectionAxis::Outward,
         _ => EjectionAxis::Up,
     }
@@ -201,6 +227,12 @@ fn generation_shape(spot: &Spot<'_>, files: &Files) -> Result<GenerationShape, S
         },
         "line" => GenerationShape::Line {
             length: table.must("length", Quantity::read)?,
+        },
+        "rings" => GenerationShape::Rings {
+            radius: table.must("radius", Quantity::read)?,
+            wall_speed: table.must("wall_speed", Quantity::read)?,
+            ring_frames: table.must("ring_frames", whole32)?,
+            density: table.must("density", Quantity::read)?,
         },
         "mesh" => GenerationShape::Mesh {
             mesh: table.must("mesh", |spot| files.mesh(spot))?,

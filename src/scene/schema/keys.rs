@@ -18,13 +18,16 @@ pub const SCENE: &[Field] = &[
     default("frame_rate", whole(1, 240), "24", "frames a second", "the speed of animated files", "Reeves 3"),
     default("seed", whole(0, i64::MAX), "1", "", "decides every random number", "Reeves 3"),
     optional("capacity", whole(1, 1_000_000_000), "200_000", "particles", "most particles alive at once; computed from births and lifetimes if left out", ""),
-    optional("steady_particles", whole(1, 1_000_000_000), "1_000_000", "particles", "how many are alive once births and deaths balance; `motes bench --particles` scales all births by it to reach other counts, and scenes without it have one count only", ""),
+    optional("max_systems", whole(1, 16_384), "400", "systems", "most systems that others bear at once, those included whose particles still live; computed from births and lifetimes if left out", "Reeves 2.6"),
+    optional("steady_particles", whole(1, 1_000_000_000), "1_000_000", "particles", "how many are alive once births and deaths balance; `motes bench --particles` scales all births by it to reach other counts; scenes without it have one count only, but for those of flocks alone, which scale by their boids", ""),
     default("image", Kind::Table(IMAGE), "{}", "", "the picture that frames are drawn into", ""),
     required("camera", Kind::Table(CAMERA), "{ position = [0, 1, 5], target = [0, 0, 0] }", "", "the viewer", ""),
     optional("system", Kind::Tables { fields: SYSTEM, max: 1024 }, "[{ name = \"jet\", initial_mean_parts = 100, generation_shape = { kind = \"sphere\", radius = 1 }, speed = 0.1, lifetime = 60, color = [0.4, 0.1, 0.02], size = 0.02 }]", "", "the particle systems, one `[[system]]` each; a scene without a flock or a fire has at least one", "Reeves 2"),
     default("flock", Kind::Tables { fields: FLOCK, max: 64 }, "[]", "", "the flocks, one `[[flock]]` each", ""),
     default("fire", Kind::Tables { fields: FIRE, max: 64 }, "[]", "", "the fires, one `[[fire]]` each", "Perry 3.2"),
-    default("light", Kind::Table(LIGHT), "{}", "", "the light that particles reflect which cover and are shaded", "Reeves 5"),
+    default("light", Kind::Table(LIGHT), "{}", "", "the light that the planet reflects, and particles which cover and are shaded", "Reeves 5"),
+    optional("planet", Kind::Table(PLANET), "{ radius = 10 }", "", "a ball with a surface: it hides what is behind it, and is lit", "Reeves 3"),
+    default("lamp", Kind::Tables { fields: LAMP, max: 16 }, "[]", "", "lights near the planet, one `[[lamp]]` each", "Reeves 3"),
     default("wind", Kind::List { variants: WINDS, max: 16 }, "[]", "", "the parts of the wind, one `[[wind]]` each: it is their sum, and drag makes particles follow it", "Perry 3.2.3"),
     default("layer", Kind::Tables { fields: LAYER, max: 8 }, "[]", "", "planes that split the picture into layers, one `[[layer]]` each", "Reeves 2.5"),
 ];
@@ -46,6 +49,26 @@ pub const LIGHT: &[Field] = &[
     default("direction", DIRECTION, "[0.4, 0.8, 0.5]", "world space", "where the light comes from", "Reeves 5"),
     default("color", numbers(3, 0.0, 1e3), "[1, 1, 1]", "red, green, blue", "what it makes of white that it falls on straight", "Reeves 5"),
     default("ambient", numbers(3, 0.0, 1e3), "[0.2, 0.2, 0.2]", "red, green, blue", "light from everywhere, which makes no shades", "Reeves 5"),
+];
+
+/// Keys of `[planet]` (Reeves 1983, section 3).
+#[rustfmt::skip] // one row a line
+pub const PLANET: &[Field] = &[
+    default("center", PLACE, "[0, 0, 0]", "world units", "its centre", "Reeves 3"),
+    required("radius", numbers(1, 1e-3, 1e6), "10", "world units", "its radius; the camera is outside", "Reeves 3"),
+    default("color", numbers(3, 0.0, 1.0), "[0.3, 0.3, 0.3]", "red, green, blue", "the part of the light that it reflects", "Reeves 3"),
+    default("relief", numbers(1, 0.0, 10.0), "0", "slope", "how rough its ground looks", "Reeves 3"),
+    default("contrast", numbers(1, 0.0, 1.0), "0", "a share of the colour", "how much darker and lighter its ground is here and there", "Reeves 3"),
+    default("scale", numbers(1, 0.0, 1e4), "1", "noise cells a world unit", "how fine that is", "Reeves 3"),
+    default("octaves", whole(1, 8), "5", "", "how many finer patterns are on top of each other, each of twice the frequency", "Reeves 3"),
+];
+
+/// Keys of each `[[lamp]]`.
+#[rustfmt::skip] // one row a line
+pub const LAMP: &[Field] = &[
+    keyed(required("position", PLACE, "[0, 0, 12]", "world units", "where it is", "Reeves 3")),
+    keyed(default("color", numbers(3, 0.0, 1e6), "[1, 1, 1]", "red, green, blue", "what it makes of white that it falls on straight, at its distance", "Reeves 3")),
+    default("distance", numbers(1, 1e-3, 1e6), "1", "world units", "how far away light is as the colour says; it falls with the squared distance", "Reeves 3"),
 ];
 
 /// Keys of each `[[layer]]`.
@@ -72,6 +95,9 @@ pub const CAMERA: &[Field] = &[
 #[rustfmt::skip] // one row a line
 pub const SYSTEM: &[Field] = &[
     required("name", Kind::Name { reserved: &[] }, "\"jet\"", "", "unique; a part of every particle's identity", ""),
+    optional("parent", Kind::Name { reserved: &[] }, "\"rings\"", "", "the system that bears systems of this kind instead of particles: each is born, placed, moved and ended as a particle of it, and this one is there for them alone", "Reeves 2.6"),
+    default("child_up", Kind::Choice(&["parent", "outward"]), "\"parent\"", "", "of a system with a parent: whether its up is the parent's, or away from the parent's generation shape where it is born", "Reeves 3"),
+    default("inherit", Kind::Table(INHERIT), "{}", "", "of a system with a parent: how much those of its kind differ", "Reeves 2.6"),
     keyed(default("position", PLACE, "[0, 0, 0]", "world units", "the system's origin", "Reeves 2.2")),
     keyed(default("rotation_degrees", numbers(2, -36_000.0, 36_000.0), "[0, 0]", "degrees", "turns about x, then about y; local +z is the system's up", "Reeves 2.2")),
     default("first_frame", whole(-65_000, 1_000_000), "0", "frames", "the first frame with births; below 0, the system is under way when the scene begins", "Reeves 2.1"),
@@ -109,6 +135,7 @@ pub const SYSTEM: &[Field] = &[
     keyed(default("transparency", changing(1, (0.0, 1.0), 1.0), "{ mean = 0 }", "0 opaque, 1 invisible", "light is scaled by 1 - transparency", "Reeves 2.2, 2.3")),
     keyed(required("size", changing(1, (1e-6, 1e4), 1e4), "{ mean = 0.02 }", "world units", "radius, or half the width of a rectangle", "Reeves 2.2, 2.3")),
     keyed(default("acceleration", numbers(3, -1e4, 1e4), "[0, 0, 0]", "world units a frame squared, world space", "added to the velocity each frame", "Reeves 2.3")),
+    default("acceleration_space", Kind::Choice(&["world", "system"]), "\"world\"", "", "whether the acceleration has a direction of the world, or turns with the system", "Reeves 3"),
     keyed(default("drag", numbers(1, 0.0, 1.0), "0", "a share of the velocity", "how much of its velocity against the wind a particle loses each frame", "")),
     default("integration", Kind::Choice(&["euler", "parabola"]), "\"euler\"", "", "whether velocities are those at the start of a frame, or halfway through it, which puts particles on exact parabolas", "Reeves 2.3"),
     default("particle_shape", Kind::Choice(&["sphere", "rectangle", "streak"]), "\"sphere\"", "", "what a particle looks like", "Reeves 2.2"),
@@ -120,6 +147,20 @@ pub const SYSTEM: &[Field] = &[
     default("intensity", Kind::Choice(&["brightest", "luminance"]), "\"brightest\"", "", "what intensity is: 1 - transparency times the brightest channel, or times the luminance", "Reeves 2.4"),
     default("extinction", Kind::List { variants: EXTINCTIONS, max: 16 }, "[]", "", "where particles may not be, one `[[system.extinction]]` each", "Reeves 2.4"),
     keyed(optional("light_distance", numbers(1, 1e-6, 1e6), "10", "world units", "where light is as the colour says; it falls with the squared distance from the eye, or not at all if left out", "Reeves 2.5")),
+];
+
+/// Keys of `[system.inherit]` (Reeves 1983, 2.6 and section 3).
+#[rustfmt::skip] // one row a line
+pub const INHERIT: &[Field] = &[
+    default("mean_parts", PARTS, "0", "as the mean's", "half the width of the range of mean births", "Reeves 3"),
+    default("var_parts", PARTS, "0", "as the mean's", "half the width of the range of half-widths of births", "Reeves 2.6"),
+    default("generation_scale", numbers(1, 0.0, 1.0), "0", "a share of the shape's extents", "half the width of the range of sizes of the generation shape", "Reeves 3"),
+    default("ejection_angle_degrees", numbers(1, 0.0, 180.0), "0", "degrees", "half the width of the range of ejection angles", "Reeves 3"),
+    default("speed", spread((0.0, 1e4), (0.0, 1e4)), "{ mean = 0 }", "world units a frame", "half the widths of the ranges of means and of half-widths", "Reeves 3"),
+    default("lifetime", spread((0.0, 65_000.0), (0.0, 65_000.0)), "{ mean = 0 }", "frames", "the same", "Reeves 3"),
+    default("color", changing(3, (0.0, 1e3), 1e3), "{ mean = [0, 0, 0] }", "light of a fully covered pixel in red, green, blue", "the same, and of rates", "Reeves 2.6"),
+    default("transparency", changing(1, (0.0, 1.0), 1.0), "{ mean = 0 }", "0 opaque, 1 invisible", "the same, and of rates", "Reeves 3"),
+    default("size", changing(1, (0.0, 1e4), 1e4), "{ mean = 0 }", "world units", "the same, and of rates", "Reeves 3"),
 ];
 
 /// Keys of each `[[system.burst]]`.

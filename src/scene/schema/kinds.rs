@@ -109,6 +109,12 @@ pub const GENERATION_SHAPES: &[Variant] = &[
         required("attractor", Kind::Choice(&["lorenz", "rossler", "halvorsen"]), "\"lorenz\"", "", "which chaotic system's trajectory", "Reeves 2.2"),
         keyed(required("radius", EXTENT, "1", "world units", "from its centre to its farthest point", "Reeves 2.2")),
     ] },
+    Variant { name: "rings", about: "of a system that bears systems: rings that run over a sphere from its origin, which they begin at, its top along local z", fields: &[
+        required("radius", numbers(1, 1e-3, 1e6), "10", "world units", "of the sphere, which is below the local x-y plane and touches it", "Reeves 3"),
+        required("wall_speed", numbers(1, 1e-6, 1e4), "0.1", "world units a frame", "how fast the rings run, along the sphere", "Reeves 3"),
+        default("ring_frames", whole(1, 65_000), "1", "frames", "from one ring to the next", "Reeves 3"),
+        required("density", numbers(1, 0.0, 1e4), "2", "systems a world unit of circumference", "a ring has as many systems, anywhere around it", "Reeves 3"),
+    ] },
     Variant { name: "mesh", about: "the faces of a mesh, as many on each part of their area", fields: &[
         required("mesh", text(1000, false), "\"torus\"", "", "a file in the scene's folder that ends in .obj, .ply, .gltf or .glb; or cube, cylinder, plane, sphere or torus, which need none", ""),
         keyed(default("scale", numbers(1, 0.0, 1e3), "1", "world units", "what a unit of the mesh's coordinates becomes", "")),

@@ -2,9 +2,9 @@
 
 use super::json::sentence;
 use super::{
-    BURST, CAMERA, EDGES, EXTINCTIONS, FIRE, FLAME, FLOCK, Field, GENERATION_SHAPES, IMAGE, Kind,
-    LAYER, LIGHT, Limits, Presence, RAMP, REGION, RELATIONS, ROOTS, SCENE, SYSTEM, Variant, WINDS,
-    parent_of,
+    BURST, CAMERA, EDGES, EXTINCTIONS, FIRE, FLAME, FLOCK, Field, GENERATION_SHAPES, IMAGE,
+    INHERIT, Kind, LAMP, LAYER, LIGHT, Limits, PLANET, Presence, RAMP, REGION, RELATIONS, ROOTS,
+    SCENE, SYSTEM, Variant, WINDS, parent_of,
 };
 use crate::scene::expect::{digits, range};
 
@@ -18,7 +18,7 @@ const CAN_CHANGE: &str = " ◆";
 #[must_use]
 pub fn reference_page() -> String {
     let mut page = INTRODUCTION.to_owned();
-    let tables: [(&str, &str, &[Field]); 5] = [
+    let tables: [(&str, &str, &[Field]); 7] = [
         ("Top of the file", "Above the first header.", SCENE),
         (
             "`[image]`",
@@ -28,8 +28,14 @@ pub fn reference_page() -> String {
         ("`[camera]`", "The viewer.", CAMERA),
         (
             "`[light]`",
-            "What particles reflect that cover and are shaded.",
+            "What the planet reflects, and particles that cover and are shaded.",
             LIGHT,
+        ),
+        ("`[planet]`", "A ball with a surface, at most one.", PLANET),
+        (
+            "`[[lamp]]`",
+            "A light near the planet, as many as you like.",
+            LAMP,
         ),
         (
             "`[[system]]`",
@@ -40,6 +46,9 @@ pub fn reference_page() -> String {
     for (heading, about, fields) in tables {
         page += &section(heading, about, fields);
     }
+    let about = "How much the systems of one kind differ that the `[[system]]` above it stands for: \
+                 each value is the half-width of a range around what that says.";
+    page += &section("`[system.inherit]`", about, INHERIT);
     let about = "Births all at once, inside the `[[system]]` above it.";
     page += &section("`[[system.burst]]`", about, BURST);
     let about = "Where the particles of a system are born: a table by its kind.";

@@ -51,6 +51,8 @@ pub enum Owner {
     Wind(usize),
     /// One of [`Scene::fires`].
     Fire(usize),
+    /// One of [`Scene::lamps`].
+    Lamp(usize),
 }
 
 /// A value that changes with the frame.

@@ -25,6 +25,14 @@ pub(super) fn numbers_of<'a>(
             _ => return None,
         },
         Owner::System(at) => return system_numbers(scene.systems.get_mut(at)?, key),
+        Owner::Lamp(at) => {
+            let lamp = scene.lamps.get_mut(at)?;
+            match key {
+                "position" => &mut lamp.position,
+                "color" => &mut lamp.color,
+                _ => return None,
+            }
+        }
         Owner::Wind(at) => return wind_numbers(scene.winds.get_mut(at)?, key),
         Owner::Fire(at) => return fire_numbers(scene.fires.get_mut(at)?, key),
     })

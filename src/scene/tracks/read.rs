@@ -3,7 +3,7 @@
 use super::form::{is_animated, pairs};
 use super::places::numbers_of;
 use super::{Interpolation, Key, Owner, Track};
-use crate::scene::schema::{CAMERA, FIRE, Field, IMAGE, Kind, SYSTEM, WINDS};
+use crate::scene::schema::{CAMERA, FIRE, Field, IMAGE, Kind, LAMP, SYSTEM, WINDS};
 use crate::scene::tree::{Node, Value};
 use crate::scene::{Scene, SceneError};
 
@@ -28,13 +28,14 @@ pub(in crate::scene) fn collect(root: &Node, scene: &mut Scene) -> Result<(), Sc
         match (kind, &entry.node.value) {
             ("image", _) => visit(&entry.node, Some(Owner::Image), kind.to_owned())?,
             ("camera", _) => visit(&entry.node, Some(Owner::Camera), kind.to_owned())?,
-            ("light", _) => visit(&entry.node, None, kind.to_owned())?,
+            ("light" | "planet", _) => visit(&entry.node, None, kind.to_owned())?,
             (_, Value::Array(nodes)) => {
                 for (at, node) in nodes.iter().enumerate() {
                     let owner = match kind {
                         "system" => Some(Owner::System(at)),
                         "wind" => Some(Owner::Wind(at)),
                         "fire" => Some(Owner::Fire(at)),
+                        "lamp" => Some(Owner::Lamp(at)),
                         _ => None,
                     };
                     let name = match (kind, node.entry("name")) {
@@ -170,6 +171,7 @@ fn able(owner: Owner, scene: &Scene) -> Vec<String> {
         Owner::Image => IMAGE.iter().collect(),
         Owner::Camera => CAMERA.iter().collect(),
         Owner::Wind(_) => WINDS.iter().flat_map(|wind| wind.fields).collect(),
+        Owner::Lamp(_) => LAMP.iter().collect(),
         Owner::System(_) => SYSTEM.iter().collect(),
         Owner::Fire(_) => FIRE.iter().collect(),
     };

@@ -1,0 +1,69 @@
+//! The planet's part of a frame.
+
+use glam::Vec3;
+
+use super::PlanError;
+use super::system::name_key;
+use crate::exact::{dot3, normalize_exact, reciprocal, snap};
+use crate::layout;
+use crate::scene::{Projection, Scene};
+
+/// Marks the hash that makes the key of the planet's noise.
+const KEY_TAG: u32 = 0x706c_616e;
+
+/// The planet as a frame sees it, and the lights near it.
+pub(super) fn planet_of(scene: &Scene) -> (Vec<layout::Planet>, Vec<layout::Lamp>) {
+    let Some(planet) = scene.planet else {
+        return (Vec::new(), Vec::new());
+    };
+    let center = Vec3::from(planet.center);
+    let eye = Vec3::from(scene.camera.position);
+    let ahead = center - eye;
+    let squared = dot3(ahead, ahead);
+    let toward = normalize_exact(eye - center);
+    // The outline is the circle where lines from the eye touch: R^2 / D from the centre.
+    let distance = dot3(eye - center, toward);
+    let reach = planet.radius * planet.radius * reciprocal(distance);
+    let with = |v: Vec3, w: f32| [v.x, v.y, v.z, w].map(snap);
+    let color = |color: [f32; 3], w: f32| with(Vec3::from(color), w);
+    let light = &scene.light;
+    let lamps: Vec<layout::Lamp> = scene
+        .lamps
+        .iter()
+        .map(|lamp| layout::Lamp {
+            place: with(
+                Vec3::from(lamp.position) - center,
+                lamp.distance * lamp.distance,
+            ),
+            color: color(lamp.color, 0.0),
+        })
+        .collect();
+    let of_frame = layout::Planet {
+        place: with(ahead, planet.radius),
+        eye: with(eye, squared - planet.radius * planet.radius),
+        outline: with(toward, dot3(toward, center) + reach),
+        color: color(planet.color, planet.relief),
+        ground: [planet.scale, planet.contrast, 0.0, 0.0].map(snap),
+        light_from: with(normalize_exact(Vec3::from(light.direction)), 0.0),
+        light_color: color(light.color, 0.0),
+        ambient: color(light.ambient, 0.0),
+        kinds: [
+            planet.octaves,
+            name_key(scene.seed, "planet", KEY_TAG),
+            lamps.len() as u32,
+            0,
+        ],
+    };
+    (vec![of_frame], lamps)
+}
+
+/// What is seen of a planet is seen from a place.
+pub(super) fn check_planet(scene: &Scene) -> Result<(), PlanError> {
+    if scene.planet.is_none() || scene.camera.projection == Projection::Perspective {
+        return Ok(());
+    }
+    Err(PlanError {
+        message: "this scene has a planet and an orthographic camera".into(),
+        help: "a camera in perspective, or no `planet`".into(),
+    })
+}
