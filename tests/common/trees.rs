@@ -65,6 +65,7 @@ pub(crate) fn rich_tree() -> Scene {
         color = { mean = [0.1, 0.1, 0.1], rate_var = [0.01, 0.01, 0.01] }";
     scene_of(&format!(
         "frames = 14
+         capacity = 20_000
          image = {{ width = 160, height = 90 }}
          camera = {{ position = [0, 1, 14], target = [0, 0, 0] }}
          [[system]]\n{parent}\n[[system]]\n{middle}\n[[system]]\n{puff}"

@@ -154,6 +154,7 @@ fn r53_nearer_explosions_bear_more() {
             "",
             "initial_mean_parts_per_area = 0.5\nbirth_rounding = \"nearest\"",
         );
+        scene.capacity = Some(1_000_000);
         scene.image.width = 640;
         scene.image.height = 360;
         scene.camera.position = [0.0, 0.0, 10.0 + distance];
