@@ -42,14 +42,18 @@
 //! 5. *hatch*, once: boids where their flocks begin; they never die. *cells*: a copy of them,
 //!    sorted by grid cell, stably. *steer*: each looks at those in the cells around it, steers and
 //!    moves; sums over them are integers.
-//! 6. *shapes*: what covers what is behind it, one record a particle or boid ([`layout::Cover`]).
-//! 7. *cover*: the records are sorted by depth, stably, and each pixel gathers those that cover it,
+//! 6. *kindle*: the roots of flames, by hash of who each is, moved with their fires. *trace*: the way
+//!    of each flame's particle through this frame's wind, 25 steps; flames have no past.
+//! 7. *shapes*: what covers what is behind it, one record a particle or boid ([`layout::Cover`]).
+//! 8. *cover*: the records are sorted by depth, stably, and each pixel gathers those that cover it,
 //!    from near to far; by tiles, in rounds, so that no tile has too many.
-//!    *planet*: a ball with a surface in every pixel, and on it what shows of the light of particles
+//! 9. *planet*: a ball with a surface in every pixel, and on it what shows of the light of particles
 //!    behind its outline.
-//! 8. *splat*: particles that glow add light to pixels, in 64-bit integers; all of them, or one
-//!    layer's.
-//! 9. *resolve*: what covers, what shows of the background, and light on top of both become bytes.
+//! 10. *splat*: particles that glow add light to pixels, in 64-bit integers; all of them, or one
+//!     layer's.
+//! 11. *flame_discs*: the particles along each flame as they are seen. *glow*: each pixel gathers
+//!     those of a flame and adds their sum to its light.
+//! 12. *resolve*: what covers, what shows of the background, and light on top of both become bytes.
 //!
 //! Counts stay on the device; nothing comes back but a ring of statistics, and what is asked for.
 //!

@@ -338,7 +338,7 @@ fn constants_agree_bit_for_bit() {
         motes::cpu::tree::CONSTANTS,
         layout::flame::CONSTANTS,
         motes::cpu::flame::CONSTANTS,
-        motes::cpu::flame_disc::CONSTANTS,
+        motes::cpu::fan::CONSTANTS,
         motes::cpu::draw::flame_discs::CONSTANTS,
         motes::cpu::boid::CONSTANTS,
         motes::cpu::steering::CONSTANTS,
@@ -353,7 +353,7 @@ fn constants_agree_bit_for_bit() {
         ("DISPATCH_WIDTH", motes::gpu::dispatch::DISPATCH_WIDTH),
         ("FAMILIES_END", buffer_len("cover_counts")),
         ("STATISTICS_LEN", buffer_len("statistics")),
-        ("RUN", motes::gpu::GLOW_RUN),
+        ("GLOW_RUN", motes::gpu::GLOW_RUN),
         // Fields of 21, 21 and 22 bits fill a word of 64: devices alone pack light so.
         ("GREEN_AT", 21),
         ("BLUE_AT", 42),

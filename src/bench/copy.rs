@@ -55,6 +55,9 @@ const TRIALS: usize = 5;
 /// Rounds over all forms and workgroup sizes before one is taken.
 const ROUNDS: usize = 7;
 
+/// What is so many times slower than the fastest is tried no more.
+const HOPELESS: f64 = 2.0;
+
 /// A copy that can be run again and again.
 pub(super) struct Copy {
     /// Which form it has.
@@ -106,6 +109,10 @@ impl<'a> Fastest<'a> {
             for (least, _, _, copy) in &mut tried {
                 *least = copy.run()?.ms.min(*least);
             }
+            let best = tried
+                .iter()
+                .fold(f64::INFINITY, |best, one| best.min(one.0));
+            tried.retain(|(least, ..)| *least <= best * HOPELESS);
         }
         let none = || BackendError::Internal("no form of the copy".into());
         let best = tried.iter().min_by(|a, b| a.0.total_cmp(&b.0));

@@ -9,8 +9,8 @@ mod digest;
 pub mod disc;
 pub mod draw;
 pub mod emission;
+pub mod fan;
 pub mod flame;
-pub mod flame_disc;
 pub mod flames;
 pub mod flock;
 pub mod footprint;
@@ -458,10 +458,7 @@ impl Backend for CpuBackend {
 
     fn population_digest(&mut self, population: Population) -> Result<u64, BackendError> {
         let (words, vectors) = match population {
-            Population::Systems => {
-                let nodes = bytemuck::cast_slice(&self.tree.nodes);
-                return Ok(digest_from(population.first_index(), nodes, 7));
-            }
+            Population::Systems => (bytemuck::cast_slice(&self.tree.nodes), 7),
             Population::Particles => (bytemuck::cast_slice(&self.particles), 2),
             Population::Boids => (bytemuck::cast_slice(&self.flocks.boids), 2),
             Population::Flames => (bytemuck::cast_slice(&self.flames.flames), 4),

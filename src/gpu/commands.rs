@@ -359,7 +359,7 @@ pub(super) fn is_used(kernel: &str, plan: &Plan) -> bool {
     is_due
 }
 
-/// Pixels in a line that an invocation sums at a time: `RUN` of `wgsl/draw/glow.wgsl`.
+/// Pixels in a line that an invocation sums at a time: that of `wgsl/draw/glow.wgsl`.
 pub const GLOW_RUN: u32 = 8;
 
 /// Invocations that share a flame: many where flames are few, and never so few that one turns its

@@ -48,7 +48,7 @@ impl Population {
             Self::Systems => 3 << 30,
             Self::Particles => 0,
             Self::Boids => 1 << 31,
-            Self::Flames => 1 << 30,
+            Self::Flames => 5 << 29,
         }
     }
 }

@@ -161,7 +161,7 @@ fn no_pass_goes_untimed_however_many_there_are() {
     assert!(passes * 2 * frames as usize > 4096, "{passes} are too few");
     for (frame, kernels) in times.iter().enumerate() {
         assert_eq!(kernels.len(), passes, "frame {frame}");
-        let sane = |ms: f64| ms >= 0.0 && ms < 60e3;
+        let sane = |ms: f64| (0.0..60e3).contains(&ms);
         assert!(kernels.iter().all(|(_, ms)| sane(*ms)), "{kernels:?}");
         assert!(kernels.iter().any(|(_, ms)| *ms > 0.0), "frame {frame}");
     }

@@ -1,7 +1,7 @@
 //! A particle of a flame is a fan of triangles: the reference that its radial shading is held
 //! against.
 
-use motes::cpu::flame_disc::{CORNERS, center_share};
+use motes::cpu::fan::{CORNERS, center_share};
 use motes::layout::FLAME_STEPS;
 
 use crate::support::*;

@@ -1,7 +1,7 @@
 //! What Perry left for later: colours by noise, tips that part, two layers of triangles; and the
 //! models that were rejected.
 
-use motes::cpu::flame_disc::{disc_light, inner_share};
+use motes::cpu::fan::{disc_light, inner_share};
 use motes::scene::load;
 
 use crate::support::*;

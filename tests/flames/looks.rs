@@ -124,9 +124,10 @@ fn p30_light_accumulates_to_saturation_in_any_order() {
     let alone = [&a, &b].map(|one| drawn(&scene_with(&[one], ""), 0).light);
     let mut saturated = 0;
     for (at, word) in ab.image.iter().enumerate() {
-        for channel in 0..3 {
-            let sum = alone[0][at][channel] + alone[1][at][channel];
-            assert!((sum - ab.light[at][channel]).abs() < 1e-5);
+        let [one, other] = [0, 1].map(|flame| alone[flame][at]);
+        for (channel, both) in ab.light[at].iter().enumerate().take(3) {
+            let sum = one[channel] + other[channel];
+            assert!((sum - both).abs() < 1e-5);
             let byte = f64::from((word >> (8 * channel)) & 255);
             assert!(
                 (byte - sum.min(1.0) * 255.0).abs() <= 0.51,

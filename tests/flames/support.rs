@@ -33,7 +33,7 @@ pub(crate) fn lone(lines: &str) -> String {
         "noisiness = 0\n"
     };
     let (keys, tables) = lines
-        .split_once("[[")
+        .split_once("[[fire.")
         .map_or((lines, String::new()), |two| {
             (two.0, format!("[[fire.{}", two.1))
         });

@@ -8,7 +8,7 @@
 // as bits; columns and lines are 0 for none).
 // Invariant: what is not drawn has no light.
 
-#import motes::flame_disc::LEAST_HALF_AXIS_PX
+#import motes::fan::LEAST_HALF_AXIS_PX
 #import motes::dispatch::linear_index
 #import motes::exact::{
     bits_of, clamp_exact, dot3, f32_of_u32, less, max_exact, reciprocal, to_i32, to_u32,

@@ -6,7 +6,7 @@
 // Reads: frame, flame_discs, flame_bounds. Writes, by atomic adds: light_low, light_high.
 // Invariant: the image does not depend on the order of flames, nor on how they are shared out.
 
-#import motes::flame_disc::{Lit, center_shares, with_disc}
+#import motes::fan::{Lit, center_shares, with_disc}
 #import motes::dispatch::linear_index
 #import motes::exact::{f32_of_u32, less}
 #import motes::layout::{FLAME_STEPS, FlameDisc, Frame}
@@ -14,7 +14,7 @@
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 // Pixels that an invocation sums at a time.
-const RUN: u32 = 8u;
+const GLOW_RUN: u32 = 8u;
 
 struct Work {
     flame_count: u32,
@@ -93,10 +93,10 @@ fn glow(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let first = bounds.xy & vec2<u32>(0xffffu);
     let last = bounds.xy >> vec2<u32>(16u);
     let inner = bitcast<vec2<f32>>(bounds.zw);
-    let runs_across = (last.x - first.x + RUN - 1u) / RUN;
+    let runs_across = (last.x - first.x + GLOW_RUN - 1u) / GLOW_RUN;
     let runs = runs_across * (last.y - first.y);
     for (var run = index % work.shares; run < runs; run += work.shares) {
-        let x = first.x + (run % runs_across) * RUN;
+        let x = first.x + (run % runs_across) * GLOW_RUN;
         glow_run(flame, inner, x, first.y + run / runs_across, last.x);
     }
 }

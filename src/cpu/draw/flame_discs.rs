@@ -3,7 +3,7 @@
 use glam::{IVec2, Vec3, Vec4};
 
 use super::splat::layer_of;
-use crate::cpu::flame_disc::LEAST_HALF_AXIS_PX;
+use crate::cpu::fan::LEAST_HALF_AXIS_PX;
 use crate::cpu::projection::project;
 use crate::exact::{
     bits_of, clamp_exact, f32_of_u32, less, max_exact, reciprocal, shared_constants, to_i32, to_u32,

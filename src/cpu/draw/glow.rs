@@ -3,7 +3,7 @@
 
 use glam::{Vec3, Vec4};
 
-use crate::cpu::flame_disc::{center_share, disc_light};
+use crate::cpu::fan::{center_share, disc_light};
 use crate::cpu::light::{LightSums, steps_of};
 use crate::exact::{f32_of_u32, less};
 use crate::layout::FlameDisc;

@@ -48,7 +48,7 @@ pub static LIBRARIES: &[Source] = sources![
     "lib/footprint",
     "lib/sprite",
     "lib/flame",
-    "lib/flame_disc",
+    "lib/fan",
     "lib/grid",
     "lib/boid",
     "lib/steering",

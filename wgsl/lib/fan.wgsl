@@ -5,8 +5,8 @@
 // rim in each triangle. The share of the centre is 1 less the distance from it, measured so that
 // every side of the polygon is at 1: no triangle has to be looked for. Light is colour times alpha,
 // for particles add up (3.2.2).
-// Reads and writes no buffers. Invariant: exact on every driver; twin of src/cpu/flame_disc.rs.
-#define_import_path motes::flame_disc
+// Reads and writes no buffers. Invariant: exact on every driver; twin of src/cpu/fan.rs.
+#define_import_path motes::fan
 
 #import motes::exact::{at_least_zero, less, max_exact}
 

@@ -1,5 +1,5 @@
 //! A flame's particle as it is seen: a fan of triangles whose rim is a regular polygon of 20 corners
-//! (Perry 1994, 3.2.1). Twin of `wgsl/lib/flame_disc.wgsl`.
+//! (Perry 1994, 3.2.1). Twin of `wgsl/lib/fan.wgsl`.
 
 use glam::{Vec3, Vec4};
 
