@@ -312,6 +312,9 @@ pub struct Frame {
     pub light_color: [f32; 4],
     /// Red, green, blue of the light from everywhere; w unused.
     pub ambient_color: [f32; 4],
+    /// The plane of the planet's outline: unit normal towards the eye, distance along it; what is
+    /// beyond is behind the planet.
+    pub planet_outline: [f32; 4],
     /// Pixels per unit of x/z, or of x if the view is orthographic.
     pub focal_px: f32,
     /// The same when the shutter closes.

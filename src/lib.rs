@@ -50,9 +50,9 @@
 //! 9. *planet*: a ball with a surface in every pixel, and on it what shows of the light of particles
 //!    behind its outline.
 //! 10. *splat*: particles that glow add light to pixels, in 64-bit integers; all of them, or one
-//!    layer's.
+//!     layer's.
 //! 11. *flame_discs*: the particles along each flame as they are seen. *glow*: each pixel gathers
-//!    those of a flame and adds their sum to its light.
+//!     those of a flame and adds their sum to its light.
 //! 12. *resolve*: what covers, what shows of the background, and light on top of both become bytes.
 //!
 //! Counts stay on the device; nothing comes back but a ring of statistics, and what is asked for.

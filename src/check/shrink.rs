@@ -85,6 +85,15 @@ pub fn shrunk(scene: &Scene, frames: u32) -> Result<Scene, PlanError> {
     for fire in &mut small.fires {
         fire.roots.scale(share);
     }
+    if let Some(capacity) = scene.capacity
+        && scene.systems.iter().any(|system| system.parent.is_some())
+    {
+        // What systems ask for that are yet to be born has a bound far above it; the capacity says
+        // more, and births by screen area fall with the picture.
+        let likely = f64::from(capacity) * fit.min(1.0) * fit.min(1.0);
+        let small = small.with_births((f64::from(MOST_PARTICLES) / likely).min(1.0));
+        return Plan::new(&small, frames).map(|_| small);
+    }
     let mut factor = 1.0f64;
     for _ in 0..MOST_TRIES {
         // The scene's own capacity says nothing about how many there will be.

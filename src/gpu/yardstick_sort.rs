@@ -11,8 +11,11 @@ use crate::backend::BackendError;
 /// Bytes of a key and its value.
 const PAIR: u64 = 8;
 
-/// The kernels of a pass, with their invocations for so many pairs, and whether those are one each.
-const KERNELS: [(&str, fn(u32) -> u32); 4] = [
+/// A kernel, with its invocations for so many pairs.
+type Step = (&'static str, fn(u32) -> u32);
+
+/// The kernels of a pass.
+const KERNELS: [Step; 4] = [
     ("sort/count_digits", |pairs| pairs.div_ceil(RUN)),
     ("sort/sum_digits", |_| DIGITS),
     ("sort/start_digits", |_| 1),

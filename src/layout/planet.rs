@@ -10,9 +10,6 @@ pub struct Planet {
     pub place: [f32; 4],
     /// The eye, world space; squared distance of the centre less squared radius.
     pub eye: [f32; 4],
-    /// The plane of its outline: unit normal towards the eye, distance along it. What is beyond is
-    /// behind the planet.
-    pub outline: [f32; 4],
     /// The part of the light that it reflects; slope of its relief.
     pub color: [f32; 4],
     /// Noise cells a world unit, contrast; z and w unused.

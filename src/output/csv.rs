@@ -77,8 +77,6 @@ pub enum Measured {
     Systems(SystemCounts),
     /// A population of boids (`boids`): nobody is left out and nobody dies.
     Boids(BoidCounts),
-    /// A population of flames (`flames`).
-    Flames(FlameCounts),
     /// One flock of them (`flock`), of which `born` began in this frame; its digest stays empty.
     Flock {
         /// As of [`BoidCounts`].
@@ -86,6 +84,8 @@ pub enum Measured {
         /// What the flock has come to, with 32 bits of precision.
         metrics: FlockMetrics,
     },
+    /// A population of flames (`flames`).
+    Flames(FlameCounts),
     /// A drawn frame (`image`); its counts stay empty, and its digest is that of its RGBA8 pixels.
     Image,
 }
@@ -184,10 +184,6 @@ impl StatsRow<'_> {
                 let counts = format!("systems,{requested},{born},{died},{live},{dropped}");
                 (counts, format!("{died},,"), None)
             }
-            Measured::Flames(FlameCounts { born, died, live }) => {
-                let counts = format!("flames,{born},{born},{died},{live},0");
-                (counts, ",,".to_owned(), None)
-            }
             Measured::Boids(BoidCounts { born, live }) => {
                 let counts = format!("boids,{born},{born},0,{live},0");
                 (counts, ",,".to_owned(), None)
@@ -195,6 +191,10 @@ impl StatsRow<'_> {
             Measured::Flock { born, metrics } => {
                 let counts = format!("flock,{born},{born},0,{},0", metrics.count);
                 (counts, ",,".to_owned(), Some(metrics))
+            }
+            Measured::Flames(FlameCounts { born, died, live }) => {
+                let counts = format!("flames,{born},{born},{died},{live},0");
+                (counts, ",,".to_owned(), None)
             }
             Measured::Image => ("image,,,,,".to_owned(), ",,".to_owned(), None),
         };

@@ -4,7 +4,7 @@ use super::Plan;
 use super::camera::{camera_frame, layer_planes};
 use super::fire::fires_of;
 use super::flock::flocks_of;
-use super::planet::planet_of;
+use super::planet::{outline_of, planet_of};
 use super::system::{Moments, bounds_of, system_frame, system_row};
 use super::tree::{bears_systems, broods, pose_of, row_spread};
 use super::wind::winds_of;
@@ -98,12 +98,13 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
     let winds = winds_of(&now, number);
     let layer_planes = layer_planes(&now);
     let (flocks, relations) = flocks_of(&now);
-    let (fires, listed_flames, age_looks) = fires_of(&now, &earlier, &plan.meshes, number);
     let (planets, lamps) = planet_of(&now);
+    let (fires, listed_flames, age_looks) = fires_of(&now, &earlier, &plan.meshes, number);
     let frame = Frame {
         frame: number.cast_unsigned(),
         wind_count: winds.len() as u32,
         layer_plane_count: layer_planes.len() as u32,
+        planet_outline: outline_of(&now),
         ..plan.bounded(camera_frame(&now, &closing))
     };
     let rows = now.systems.iter();

@@ -20,10 +20,6 @@ pub(super) fn planet_of(scene: &Scene) -> (Vec<layout::Planet>, Vec<layout::Lamp
     let eye = Vec3::from(scene.camera.position);
     let ahead = center - eye;
     let squared = dot3(ahead, ahead);
-    let toward = normalize_exact(eye - center);
-    // The outline is the circle where lines from the eye touch: R^2 / D from the centre.
-    let distance = dot3(eye - center, toward);
-    let reach = planet.radius * planet.radius * reciprocal(distance);
     let with = |v: Vec3, w: f32| [v.x, v.y, v.z, w].map(snap);
     let color = |color: [f32; 3], w: f32| with(Vec3::from(color), w);
     let light = &scene.light;
@@ -41,7 +37,6 @@ pub(super) fn planet_of(scene: &Scene) -> (Vec<layout::Planet>, Vec<layout::Lamp
     let of_frame = layout::Planet {
         place: with(ahead, planet.radius),
         eye: with(eye, squared - planet.radius * planet.radius),
-        outline: with(toward, dot3(toward, center) + reach),
         color: color(planet.color, planet.relief),
         ground: [planet.scale, planet.contrast, 0.0, 0.0].map(snap),
         light_from: with(normalize_exact(Vec3::from(light.direction)), 0.0),
@@ -55,6 +50,19 @@ pub(super) fn planet_of(scene: &Scene) -> (Vec<layout::Planet>, Vec<layout::Lamp
         ],
     };
     (vec![of_frame], lamps)
+}
+
+/// The plane of the circle where lines from the eye touch the planet: R^2 / D from its centre.
+pub(super) fn outline_of(scene: &Scene) -> [f32; 4] {
+    let Some(planet) = scene.planet else {
+        return [0.0; 4];
+    };
+    let center = Vec3::from(planet.center);
+    let away = Vec3::from(scene.camera.position) - center;
+    let toward = normalize_exact(away);
+    let reach = planet.radius * planet.radius * reciprocal(dot3(away, toward));
+    let distance = dot3(toward, center) + reach;
+    [toward.x, toward.y, toward.z, distance].map(snap)
 }
 
 /// What is seen of a planet is seen from a place.

@@ -112,12 +112,12 @@ pub struct Scene {
     pub systems: Vec<System>,
     /// The flocks, in the order of the file, at most 64; names unique.
     pub flocks: Vec<Flock>,
-    /// The fires, in the order of the file, at most 64; names unique.
-    pub fires: Vec<Fire>,
     /// A ball with a surface.
     pub planet: Option<Planet>,
     /// Lights near it, at most 16.
     pub lamps: Vec<Lamp>,
+    /// The fires, in the order of the file, at most 64; names unique.
+    pub fires: Vec<Fire>,
     /// The parts of the wind, at most 16; it is their sum.
     pub winds: Vec<Wind>,
     /// Planes that split the picture into layers, at most 8.

@@ -67,7 +67,44 @@ pub struct FlameState {
     pub fire: u32,
 }
 
+/// Systems that others have borne: their frames now, and their rows of all frames that count.
+#[derive(Default)]
+struct Borne {
+    systems: Vec<SystemFrame>,
+    rows: Vec<SystemRow>,
+}
+
+impl Borne {
+    /// The inputs with them.
+    fn filled<'a>(&self, inputs: &'a FrameInputs) -> Cow<'a, FrameInputs> {
+        if self.systems.is_empty() {
+            return Cow::Borrowed(inputs);
+        }
+        let mut filled = inputs.clone();
+        filled.systems.extend_from_slice(&self.systems);
+        Cow::Owned(filled)
+    }
+
+    /// Their rows of a frame.
+    fn rows_of<'a>(&'a self, plan: &Plan, frame: u32) -> impl Iterator<Item = SystemRow> + 'a {
+        let (first, mask) = (plan.own_system_count, plan.row_count - 1);
+        let slots = first..first + self.systems.len() as u32;
+        slots.map(move |slot| self.rows[row_index(slot, frame, mask)])
+    }
+}
+
 impl Simulation {
+    /// Systems that others have borne, as the backend has them.
+    fn borne(&mut self) -> Result<Borne, SimulationError> {
+        if self.plan.tree_levels == 0 {
+            return Ok(Borne::default());
+        }
+        Ok(Borne {
+            systems: bytemuck::pod_collect_to_vec(&self.backend.read("borne_systems")?),
+            rows: bytemuck::pod_collect_to_vec(&self.backend.read("rows")?),
+        })
+    }
+
     /// The flames that burn, by fire and index; none before the first frame is stepped.
     ///
     /// # Errors
@@ -124,45 +161,6 @@ impl Simulation {
         };
         let burning = flames.iter().enumerate().filter(|(_, flame)| flame.burns());
         Ok(burning.map(|(at, flame)| (at, state(flame))).collect())
-    }
-}
-
-/// Systems that others have borne: their frames now, and their rows of all frames that count.
-#[derive(Default)]
-struct Borne {
-    systems: Vec<SystemFrame>,
-    rows: Vec<SystemRow>,
-}
-
-impl Borne {
-    /// The inputs with them.
-    fn filled<'a>(&self, inputs: &'a FrameInputs) -> Cow<'a, FrameInputs> {
-        if self.systems.is_empty() {
-            return Cow::Borrowed(inputs);
-        }
-        let mut filled = inputs.clone();
-        filled.systems.extend_from_slice(&self.systems);
-        Cow::Owned(filled)
-    }
-
-    /// Their rows of a frame.
-    fn rows_of<'a>(&'a self, plan: &Plan, frame: u32) -> impl Iterator<Item = SystemRow> + 'a {
-        let (first, mask) = (plan.own_system_count, plan.row_count - 1);
-        let slots = first..first + self.systems.len() as u32;
-        slots.map(move |slot| self.rows[row_index(slot, frame, mask)])
-    }
-}
-
-impl Simulation {
-    /// Systems that others have borne, as the backend has them.
-    fn borne(&mut self) -> Result<Borne, SimulationError> {
-        if self.plan.tree_levels == 0 {
-            return Ok(Borne::default());
-        }
-        Ok(Borne {
-            systems: bytemuck::pod_collect_to_vec(&self.backend.read("borne_systems")?),
-            rows: bytemuck::pod_collect_to_vec(&self.backend.read("rows")?),
-        })
     }
 
     /// The boids, by flock and index; none before the first frame is stepped.

@@ -1,9 +1,10 @@
-//! One record a side: what that tells, and what it says that it cannot tell.
+//! Machines that do not keep their pace, and one record a side: what that tells, and what it says that it
+//! cannot tell.
 
 use motes::bench::{Kind, Record, Spread, Verdict};
 
 use crate::compare::{one, records, slowed};
-use crate::synthetic::LLVMPIPE;
+use crate::synthetic::{LLVMPIPE, Model};
 
 /// One run a side cannot show five percent, and does not say that it does; a third it can.
 #[test]
@@ -68,8 +69,48 @@ fn what_the_copy_shows_is_allowed_for() {
         for run in &mut new[0].runs {
             run.copy_kernel_gb_per_s = Some(8.72 / factor);
         }
-        one(&old, &new).slowed_most().map(|it| it.name.clone())
+        let comparison = one(&old, &new);
+        let mut all = comparison.compared.iter().rev();
+        let advance = all.find(|it| it.name == "particles/advance");
+        advance.expect("it was compared").verdict()
     };
-    assert_eq!(slower(1.0).as_deref(), Some("particles/advance"));
-    assert_eq!(slower(1.5), None);
+    assert_eq!(slower(1.0), Verdict::Slower);
+    assert_eq!(slower(1.5), Verdict::Unclear);
+}
+
+/// Runs that differ by a quarter as wholes hide a pass that slowed by a half, but not beside the others.
+#[test]
+fn a_slowed_pass_stands_out_from_the_rest_of_its_frames() {
+    let drifting = |model, seeds| {
+        let model = Model {
+            drift: 0.25,
+            ..model
+        };
+        records(model, seeds)
+    };
+    let old = drifting(LLVMPIPE, 1..6);
+    let comparison = one(&old, &drifting(slowed(1.5), 11..16));
+    let most = comparison.slowed_most().expect("it is found");
+    assert_eq!(
+        (most.name.as_str(), most.kind),
+        ("particles/advance", Kind::Pass)
+    );
+    assert_eq!(most.verdict(), Verdict::Unclear, "{}", most.words());
+    let rest = most.against_rest.expect("there are others");
+    assert!(
+        (rest.ratio - 1.5).abs() < 0.1 && rest.low > 1.05,
+        "{rest:?}"
+    );
+    assert!(most.words().starts_with("slower against other passes by"));
+    let failing = comparison.slower_by(5.0);
+    assert!(
+        failing.iter().all(|it| it.name == "particles/advance"),
+        "{failing:?}"
+    );
+    for seed in 0..6 {
+        let new = drifting(LLVMPIPE, 100 + 5 * seed..105 + 5 * seed);
+        let comparison = one(&old, &new);
+        let failing = comparison.slower_by(5.0);
+        assert!(failing.is_empty(), "{failing:?}");
+    }
 }

@@ -10,6 +10,7 @@ mod flocks;
 mod probes;
 mod scenes;
 pub(crate) mod statistics;
+mod trees;
 mod windy;
 mod work;
 
@@ -27,6 +28,7 @@ pub(crate) use fires::*;
 pub(crate) use flocks::*;
 pub(crate) use probes::*;
 pub(crate) use scenes::*;
+pub(crate) use trees::*;
 pub(crate) use windy::*;
 pub(crate) use work::*;
 

@@ -95,7 +95,8 @@ impl Trial {
     /// Whether its plan has any use for the kernel.
     pub(crate) fn runs(&self, kernel: &str) -> bool {
         let mut uses = STAGE_KERNELS.iter().filter(|one| one.kernel == kernel);
-        uses.all(|one| self.plan.has(one.stage))
+        let is_due = uses.clone().any(|one| self.plan.has(one.stage));
+        is_due || uses.next().is_none()
     }
 
     /// Invocations a workgroup.
@@ -288,6 +289,8 @@ pub(crate) fn trials() -> Vec<Trial> {
             LARGE,
         ),
         Trial::new("covering", layered(turning(&covering(), 4)), 64, LARGE),
+        Trial::new("tree", unchanging(&rich_tree(), 14), 24, LARGE),
+        Trial::new("planet", unchanging(&lit_planet(), 7), 64, LARGE),
         Trial::new("flocks", layered(flocks(false)), 24, LARGE),
         Trial::new("crowded flocks", flocks(true), 64, LARGE),
         Trial::new(

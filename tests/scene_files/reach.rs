@@ -114,9 +114,9 @@ fn what_is_not_written_has_the_documented_default() {
         },
         systems: vec![minimal_system()],
         flocks: vec![],
-        fires: vec![],
         planet: None,
         lamps: vec![],
+        fires: vec![],
         winds: vec![],
         layers: vec![],
         tracks: vec![],
@@ -440,7 +440,6 @@ fn every_other_key_reaches_its_place() {
         },
         systems: scene.systems.clone(),
         flocks: flocks(),
-        fires: vec![fire()],
         planet: Some(Planet {
             center: [1.0, 2.0, 3.0],
             radius: 0.5,
@@ -455,6 +454,7 @@ fn every_other_key_reaches_its_place() {
             color: [3.0, 2.0, 1.0],
             distance: 2.5,
         }],
+        fires: vec![fire()],
         winds: vec![
             Wind::Uniform {
                 velocity: [0.01, 0.02, 0.03],

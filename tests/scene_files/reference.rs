@@ -91,7 +91,7 @@ fn the_examples_of_the_reference_page_are_right() {
         kinds += usize::from(block.starts_with("edges"));
         kinds += usize::from(block.starts_with("roots"));
     }
-    assert_eq!(kinds, 9 + 4 + 9 + 3 + 5 + 5, "each kind has an example");
+    assert_eq!(kinds, 9 + 4 + 10 + 3 + 5 + 5, "each kind has an example");
 }
 
 #[test]

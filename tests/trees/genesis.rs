@@ -3,6 +3,7 @@
 use motes::scene::Scene;
 use motes::simulation::Simulation;
 
+use crate::common;
 use crate::support::simulation;
 
 fn scene(name: &str) -> Scene {
@@ -59,7 +60,7 @@ fn r67_partway_there_are_200_systems_and_75_000_particles() {
 fn r68_over_the_limb_there_are_200_explosions_before_and_behind_the_outline() {
     let mut run = counts("genesis-limb", 64, 200, 85_000);
     let inputs = run.frame_inputs().expect("it has begun").clone();
-    let [x, y, z, distance] = inputs.planets[0].outline;
+    let [x, y, z, distance] = inputs.frame.planet_outline;
     let particles = run.particles().expect("they can be read");
     let behind = particles
         .iter()
@@ -73,4 +74,40 @@ fn r68_over_the_limb_there_are_200_explosions_before_and_behind_the_outline() {
         "{behind} of {}",
         particles.len()
     );
+}
+
+/// A scene of more than 750,000 particles, as a picture of a sixteenth of the pixels, so that its
+/// births by screen area are a sixteenth too; and that share.
+fn large(name: &str) -> (Scene, f64) {
+    let mut scene = scene(name);
+    if common::full() {
+        return (scene, 1.0);
+    }
+    scene.image.width /= 4;
+    scene.image.height /= 4;
+    (scene, 1.0 / 16.0)
+}
+
+#[test]
+fn r69_before_the_camera_is_engulfed_there_are_400_systems_and_750_000_particles() {
+    let (scene, share) = large("genesis-wall");
+    let (systems, particles) = live(&mut simulation(&scene), 60);
+    within(systems, 400, "systems");
+    assert!(f64::from(particles) >= 750_000.0 * share, "{particles}");
+}
+
+#[test]
+fn r70_the_camera_is_engulfed_by_400_systems_and_750_000_particles() {
+    let (scene, share) = large("genesis-engulfed");
+    let mut run = simulation(&scene);
+    let (systems, particles) = live(&mut run, 78);
+    within(systems, 400, "systems");
+    assert!(f64::from(particles) >= 750_000.0 * share, "{particles}");
+    run.draw().expect("it draws");
+    let bytes = run.image().expect("it can be read");
+    let lit = bytes
+        .chunks(4)
+        .filter(|pixel| pixel[..3].iter().any(|channel| *channel > 0));
+    let lit = lit.count() as f64 / (bytes.len() / 4) as f64;
+    assert!(lit >= 0.99, "{lit} of the pixels are lit");
 }

@@ -69,14 +69,13 @@ fn r63_a_particle_behind_the_disc_is_hidden_and_one_past_the_limb_is_seen() {
 #[test]
 fn r63_a_hundred_thousand_particles_are_on_the_side_of_the_plane_that_they_are_on() {
     let many = "size = 0.02
-        generation_shape = { kind = \"box\", length = 30, width = 30, height = 40 }"
-        .replace("size", "size");
-    let mut with = scene(&many, PLANET);
+        generation_shape = { kind = \"box\", length = 30, width = 30, height = 40 }";
+    let mut with = scene(many, PLANET);
     with.systems[0].births.initial_mean_parts = 100_000.0;
     with.systems[0].color.initial.mean = [0.02; 3];
     let inputs = |scene: &Scene| {
         let plan = motes::plan::Plan::new(scene, 1).expect("it can be planned");
-        plan.inputs(0).planets[0].outline.map(f64::from)
+        plan.inputs(0).frame.planet_outline.map(f64::from)
     };
     let [nx, ny, nz, distance] = inputs(&with);
     let mut run = simulation(&with);
@@ -86,7 +85,7 @@ fn r63_a_hundred_thousand_particles_are_on_the_side_of_the_plane_that_they_are_o
     let behind = particles
         .iter()
         .filter(|particle| {
-            let [x, y, z] = particle.position.map(f64::from);
+            let [_, _, z] = particle.position.map(f64::from);
             assert!((nx, ny, nz) == (0.0, 0.0, 1.0) && (distance - 100.0 / 30.0).abs() < 1e-5);
             z < 100.0 / 30.0
         })

@@ -12,7 +12,7 @@
 #import motes::disc::{Disc, SMALL_REACH_PX, covered_of, disc_at, place_of, reach_of, weight_at}
 #import motes::exact::{dot3, f32_of_u32, less}
 #import motes::footprint::{LIST_START, is_for_one}
-#import motes::layout::{Counts, Frame, Particle, Planet, ROW_OVER, SystemFrame, SystemRow}
+#import motes::layout::{Counts, Frame, Particle, ROW_OVER, SystemFrame, SystemRow}
 #import motes::light::steps_for
 #import motes::packed::{UNFIT, channels_of, left_over, packed, rest_of}
 #import motes::particle::{age_of, from_words, row_index, slot_of}
@@ -51,10 +51,9 @@ var<immediate> pages: Pages;
 @group(0) @binding(6) var<storage, read_write> light_high: array<atomic<u32>>;
 @group(0) @binding(7) var<storage, read_write> large_particles: array<atomic<u32>>;
 @group(0) @binding(8) var<storage, read> layer_planes: array<vec4<f32>>;
-@group(0) @binding(9) var<storage, read> planets: array<Planet>;
 #if WIDE == true
 @group(0) @binding(4) var<storage, read> particles: array<vec4<u64>>;
-@group(0) @binding(10) var<storage, read_write> light_packed: array<atomic<u64>>;
+@group(0) @binding(9) var<storage, read_write> light_packed: array<atomic<u64>>;
 #else
 @group(0) @binding(4) var<storage, read> particles: array<Particle>;
 #endif
@@ -127,8 +126,7 @@ fn layer_of(world: vec3<f32>) -> u32 {
 
 // Whether a world place is beyond the plane of the planet's outline.
 fn is_beyond(world: vec3<f32>) -> bool {
-    let outline = planets[0].outline;
-    return less(dot3(outline.xyz, world), outline.w);
+    return less(dot3(frame.planet_outline.xyz, world), frame.planet_outline.w);
 }
 
 // Lists what one invocation of splat_large draws from the front, what many share from the back.

@@ -190,6 +190,8 @@ struct Frame {
     light_from: vec4<f32>,
     light_color: vec4<f32>,
     ambient_color: vec4<f32>,
+    // The plane of the planet's outline: unit normal towards the eye, distance along it.
+    planet_outline: vec4<f32>,
     // Pixels per unit of x/z, or of x if the view is orthographic: now, and when the shutter
     // closes. The principal point.
     focal_px: f32,
@@ -343,6 +345,97 @@ const RELATION_APPROACH: u32 = 2u;
 // Steps of a sum over neighbours in its unit, which no term exceeds.
 const SUM_STEPS: f32 = 536870912.0f;
 
+// Where a system is: rows of the 3 x 4 transform to world space now, a frame ago, and when the
+// shutter closes.
+struct Pose {
+    now_x: vec4<f32>,
+    now_y: vec4<f32>,
+    now_z: vec4<f32>,
+    earlier_x: vec4<f32>,
+    earlier_y: vec4<f32>,
+    earlier_z: vec4<f32>,
+    closing_x: vec4<f32>,
+    closing_y: vec4<f32>,
+    closing_z: vec4<f32>,
+}
+
+// What the processor knows of systems that one of the scene's stands for.
+struct Brood {
+    // Slot of the scene's system that bears them, or NO_SLOT; steps from the root; BROOD_...; slot
+    // of the system that stands for those that they bear, or NO_SLOT.
+    ties: vec4<u32>,
+    // First frame with births and the first without again (NO_SLOT: never), from their own birth;
+    // frames that a slot is needed after the last of them; frames from one ring to the next.
+    spans: vec4<u32>,
+    // Coefficients of polynomials of the frames since the first.
+    mean_parts: vec4<f32>,
+    var_parts: vec4<f32>,
+    // Mean, half-width, the frame from their own birth.
+    burst: vec4<f32>,
+    // Half-widths of the constant coefficients and of the factor of the generation shape.
+    spread: vec4<f32>,
+    // In their own space: centre, radius.
+    bounding_sphere: vec4<f32>,
+    // w: drag.
+    acceleration: vec4<f32>,
+    // Radius of the sphere, world units a frame, systems a world unit; 1 / (2 pi radius).
+    rings: vec4<f32>,
+}
+
+// A system that another one has borne.
+struct Node {
+    // Key, birth frame, slot of the scene's system that it is like, slot of its parent.
+    who: vec4<u32>,
+    // NODE_..., frames that it bears, the frame in which its slot is free again, its index among
+    // its parent's births of the frame.
+    spans: vec4<u32>,
+    // Bits, in the space of its parent's offspring: velocity a frame, what is added to it each
+    // frame, and the rows of where it was born.
+    velocity: vec4<u32>,
+    acceleration: vec4<u32>,
+    place_x: vec4<u32>,
+    place_y: vec4<u32>,
+    place_z: vec4<u32>,
+}
+
+const NO_SLOT: u32 = 0xffffffffu;
+// Node.spans.x.
+const NODE_FREE: u32 = 0u;
+const NODE_LIVES: u32 = 1u;
+const NODE_LINGERS: u32 = 2u;
+// Brood.ties.z: their up is where they would leave to; what they bear stays behind; their
+// acceleration turns with them; a mean that has shrunk to nothing makes no births; births at once.
+const BROOD_OUTWARD: u32 = 1u;
+const BROOD_WORLD_SPACE: u32 = 2u;
+const BROOD_OWN_ACCELERATION: u32 = 4u;
+const BROOD_SHRINKS: u32 = 8u;
+const BROOD_BURSTS: u32 = 16u;
+
+// A ball with a surface, as one frame sees it.
+struct Planet {
+    // From the eye to its centre; radius.
+    place: vec4<f32>,
+    // The eye; squared distance of the centre less squared radius.
+    eye: vec4<f32>,
+    // The part of the light that it reflects; slope of its relief.
+    color: vec4<f32>,
+    // Noise cells a world unit, contrast.
+    ground: vec4<f32>,
+    // Where the light comes from, its colour, light from everywhere.
+    light_from: vec4<f32>,
+    light_color: vec4<f32>,
+    ambient: vec4<f32>,
+    // Octaves of the noise, its key, lamps.
+    kinds: vec4<u32>,
+}
+
+// A light near the planet.
+struct Lamp {
+    // From the planet's centre to it; squared distance at which its light is as the colour says.
+    place: vec4<f32>,
+    color: vec4<f32>,
+}
+
 // Steps of a flame's trajectory: ages 0 to 24.
 const FLAME_STEPS: u32 = 25u;
 
@@ -432,97 +525,4 @@ struct FlameDisc {
     // Red, green, blue and opacity.
     center: vec4<u32>,
     rim: vec4<u32>,
-}
-
-// Where a system is: rows of the 3 x 4 transform to world space now, a frame ago, and when the
-// shutter closes.
-struct Pose {
-    now_x: vec4<f32>,
-    now_y: vec4<f32>,
-    now_z: vec4<f32>,
-    earlier_x: vec4<f32>,
-    earlier_y: vec4<f32>,
-    earlier_z: vec4<f32>,
-    closing_x: vec4<f32>,
-    closing_y: vec4<f32>,
-    closing_z: vec4<f32>,
-}
-
-// What the processor knows of systems that one of the scene's stands for.
-struct Brood {
-    // Slot of the scene's system that bears them, or NO_SLOT; steps from the root; BROOD_...; slot
-    // of the system that stands for those that they bear, or NO_SLOT.
-    ties: vec4<u32>,
-    // First frame with births and the first without again (NO_SLOT: never), from their own birth;
-    // frames that a slot is needed after the last of them; frames from one ring to the next.
-    spans: vec4<u32>,
-    // Coefficients of polynomials of the frames since the first.
-    mean_parts: vec4<f32>,
-    var_parts: vec4<f32>,
-    // Mean, half-width, the frame from their own birth.
-    burst: vec4<f32>,
-    // Half-widths of the constant coefficients and of the factor of the generation shape.
-    spread: vec4<f32>,
-    // In their own space: centre, radius.
-    bounding_sphere: vec4<f32>,
-    // w: drag.
-    acceleration: vec4<f32>,
-    // Radius of the sphere, world units a frame, systems a world unit; 1 / (2 pi radius).
-    rings: vec4<f32>,
-}
-
-// A system that another one has borne.
-struct Node {
-    // Key, birth frame, slot of the scene's system that it is like, slot of its parent.
-    who: vec4<u32>,
-    // NODE_..., frames that it bears, the frame in which its slot is free again, its index among
-    // its parent's births of the frame.
-    spans: vec4<u32>,
-    // Bits, in the space of its parent's offspring: velocity a frame, what is added to it each
-    // frame, and the rows of where it was born.
-    velocity: vec4<u32>,
-    acceleration: vec4<u32>,
-    place_x: vec4<u32>,
-    place_y: vec4<u32>,
-    place_z: vec4<u32>,
-}
-
-const NO_SLOT: u32 = 0xffffffffu;
-// Node.spans.x.
-const NODE_FREE: u32 = 0u;
-const NODE_LIVES: u32 = 1u;
-const NODE_LINGERS: u32 = 2u;
-// Brood.ties.z: their up is where they would leave to; what they bear stays behind; their
-// acceleration turns with them; a mean that has shrunk to nothing makes no births; births at once.
-const BROOD_OUTWARD: u32 = 1u;
-const BROOD_WORLD_SPACE: u32 = 2u;
-const BROOD_OWN_ACCELERATION: u32 = 4u;
-const BROOD_SHRINKS: u32 = 8u;
-const BROOD_BURSTS: u32 = 16u;
-
-// A ball with a surface, as one frame sees it.
-struct Planet {
-    // From the eye to its centre; radius.
-    place: vec4<f32>,
-    // The eye; squared distance of the centre less squared radius.
-    eye: vec4<f32>,
-    // The plane of its outline: unit normal towards the eye, distance along it.
-    outline: vec4<f32>,
-    // The part of the light that it reflects; slope of its relief.
-    color: vec4<f32>,
-    // Noise cells a world unit, contrast.
-    ground: vec4<f32>,
-    // Where the light comes from, its colour, light from everywhere.
-    light_from: vec4<f32>,
-    light_color: vec4<f32>,
-    ambient: vec4<f32>,
-    // Octaves of the noise, its key, lamps.
-    kinds: vec4<u32>,
-}
-
-// A light near the planet.
-struct Lamp {
-    // From the planet's centre to it; squared distance at which its light is as the colour says.
-    place: vec4<f32>,
-    color: vec4<f32>,
 }

@@ -84,6 +84,10 @@ pub struct Compared {
     pub share_of_frame: Option<f64>,
     /// New time over old time; `None` where the samples are too few to tell.
     pub change: Option<Change>,
+    /// The same of a pass, each frame's time over the pace of the frame's other passes: a machine that
+    /// changes its pace hides a pass that slowed from the one, hardly from the other. `None` for what
+    /// is no pass, or where there are too few others.
+    pub against_rest: Option<Change>,
 }
 
 /// What an interval says.
@@ -116,10 +120,20 @@ impl Compared {
         self.new_ms >= LEAST_MS && share >= LEAST_SHARE
     }
 
-    /// Whether it matters and its interval lies wholly above this many percent.
+    /// Whether it matters and its interval, or that against the rest of the frame, lies wholly above this
+    /// many percent.
     pub fn is_slower_by(&self, percent: f64) -> bool {
-        let low = self.change.map_or(0.0, |change| change.low);
-        self.matters() && low > 1.0 + percent / 100.0
+        self.matters() && self.least_ratio() > 1.0 + percent / 100.0
+    }
+
+    /// How much longer it takes for certain: by its time, or by that against the rest of the frame.
+    fn least_ratio(&self) -> f64 {
+        let low = |change: Option<Change>| change.map_or(0.0, |change| change.low);
+        // What is for certain faster by itself has not become slower.
+        match self.verdict() {
+            Verdict::Faster => low(self.change),
+            _ => low(self.change).max(low(self.against_rest)),
+        }
     }
 }
 
@@ -140,7 +154,7 @@ impl Comparison {
     /// What slowed most for certain, of what matters. A pass or a kernel before the whole that it slows.
     pub fn slowed_most(&self) -> Option<&Compared> {
         let slower = || self.compared.iter().filter(|it| it.is_slower_by(0.0));
-        let by_low = |it: &&Compared| it.change.map_or(0.0, |change| change.low);
+        let by_low = |it: &&Compared| it.least_ratio();
         let most = |all: &mut dyn Iterator<Item = _>| {
             all.max_by(|a: &&Compared, b: &&Compared| by_low(a).total_cmp(&by_low(b)))
         };

@@ -9,7 +9,13 @@ use super::super::record::{Measure, Record};
 use super::super::spread::Spread;
 use super::super::units::grouped;
 use super::warnings::warnings;
-use super::{BETWEEN_RUNS, Compared, Comparison, Kind, LEVEL, bootstrap, identity};
+use super::{
+    BETWEEN_RUNS, Change, Compared, Comparison, Kind, LEAST_MS, LEAST_SHARE, LEVEL, bootstrap,
+    identity,
+};
+
+/// Other passes without which no pace can be told.
+const LEAST_OTHERS: usize = 3;
 
 /// Samples of the same thing, from each record of a side that has it, and the thing's share of the frame.
 #[derive(Default)]
@@ -58,15 +64,23 @@ pub(super) fn one_adapter(old: &[Record], new: &[Record]) -> Comparison {
         .iter()
         .filter_map(|(key, side)| Some((key, side, &find(key)?.1)))
         .collect();
+    let mut all: Vec<Compared> = both
+        .par_iter()
+        .map(|(key, old, new)| compared(key, old, new))
+        .collect();
+    let rest: Vec<Option<Change>> = both
+        .par_iter()
+        .map(|(key, old, new)| against_rest(key, (old, new), &both))
+        .collect();
+    for (compared, change) in all.iter_mut().zip(rest) {
+        compared.against_rest = change;
+    }
     Comparison {
         adapter: old.first().map(identity).unwrap_or_default(),
         new_adapter: new.first().map(identity).unwrap_or_default(),
         old_records: old.len(),
         new_records: new.len(),
-        compared: both
-            .par_iter()
-            .map(|(key, old, new)| compared(key, old, new))
-            .collect(),
+        compared: all,
         only_old: missing(&old_sides, &new_sides),
         only_new: missing(&new_sides, &old_sides),
         warnings: warnings(old, new),
@@ -135,10 +149,7 @@ fn compared(key: &Key, old: &Side, new: &Side) -> Compared {
         bootstrap::median(&medians)
     };
     let (old_ms, new_ms) = (told(old), told(new));
-    let name = key.to_string();
-    let seed = name.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    });
+    let seed = seed_of(key);
     let is_timed = old_ms > 0.0 && new_ms > 0.0;
     let level = (LEVEL, allowance(old, new));
     let change = || bootstrap::change(&samples(old), &samples(new), level, seed);
@@ -150,7 +161,99 @@ fn compared(key: &Key, old: &Side, new: &Side) -> Compared {
         new_ms,
         share_of_frame: (!new.shares.is_empty()).then(|| bootstrap::median(&new.shares)),
         change: is_timed.then(change).flatten(),
+        against_rest: None,
     }
+}
+
+fn seed_of(key: &Key) -> u64 {
+    let name = key.to_string();
+    name.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    })
+}
+
+/// A pass against the pace of the others of its frames: what a machine does to all alike cancels out.
+/// The pace of a frame is the median of how much longer each of the others that matter took than it
+/// typically does, so that one of them may change by itself. `None` for too few others.
+fn against_rest(
+    key: &Key,
+    (old, new): (&Side, &Side),
+    all: &[(&Key, &Side, &Side)],
+) -> Option<Change> {
+    if key.kind != Kind::Pass {
+        return None;
+    }
+    let matters = |side: &Side| {
+        let least = |values: Vec<f64>| values.into_iter().fold(f64::INFINITY, f64::min);
+        let ms = least(side.spreads.iter().map(|ms| ms.median).collect());
+        ms >= LEAST_MS && least(side.shares.clone()) >= LEAST_SHARE
+    };
+    let others = all.iter().filter(|(other, before, now)| {
+        let is_same = other.run == key.run && other.kind == Kind::Pass && other.name != key.name;
+        is_same && matters(before) && matters(now)
+    });
+    let others: Vec<(&Side, &Side)> = others.map(|(_, before, now)| (*before, *now)).collect();
+    if others.len() < LEAST_OTHERS {
+        return None;
+    }
+    // What each of them typically takes, over both sides.
+    let typical = |(before, now): &(&Side, &Side)| {
+        let medians = before.spreads.iter().chain(&now.spreads);
+        let medians: Vec<f64> = medians.map(|ms| ms.median).collect();
+        bootstrap::median(&medians)
+    };
+    let typical: Vec<f64> = others.iter().map(typical).collect();
+    let relative = |side: &Side, others: &[&Side]| -> Option<(Vec<Vec<f64>>, Vec<f64>)> {
+        let mut runs = Vec::new();
+        let mut paces = Vec::new();
+        for (at, ms) in side.spreads.iter().enumerate() {
+            let beside: Vec<&[f64]> = others
+                .iter()
+                .map(|other| other.spreads.get(at).map(|ms| ms.samples.as_slice()))
+                .collect::<Option<_>>()?;
+            let frames = ms.samples.len();
+            if frames < 2 || beside.iter().any(|samples| samples.len() != frames) {
+                return None;
+            }
+            let pace = |frame: usize| {
+                let slow = beside
+                    .iter()
+                    .zip(&typical)
+                    .map(|(ms, usual)| ms[frame] / usual);
+                bootstrap::median(&slow.collect::<Vec<f64>>()).max(1e-6)
+            };
+            let pace: Vec<f64> = (0..frames).map(pace).collect();
+            runs.push(
+                ms.samples
+                    .iter()
+                    .zip(&pace)
+                    .map(|(ms, pace)| ms / pace)
+                    .collect(),
+            );
+            paces.push(bootstrap::median(&pace));
+        }
+        Some((runs, paces))
+    };
+    let (before, now): (Vec<&Side>, Vec<&Side>) = others.into_iter().unzip();
+    let ((old, old_pace), (new, new_pace)) = (relative(old, &before)?, relative(new, &now)?);
+    // Not all passes follow the machine's pace alike: of lone runs at different paces, that is allowed for.
+    let paces = (bootstrap::median(&new_pace) / bootstrap::median(&old_pace))
+        .ln()
+        .abs();
+    let groups = old
+        .iter()
+        .chain(&new)
+        .filter_map(|it| Some(groups(it)?.ratio.ln()));
+    let allowance = groups.chain([paces]).fold(BETWEEN_RUNS.ln(), f64::max);
+    fn slices(runs: &[Vec<f64>]) -> Vec<&[f64]> {
+        runs.iter().map(Vec::as_slice).collect()
+    }
+    bootstrap::change(
+        &slices(&old),
+        &slices(&new),
+        (LEVEL, allowance),
+        !seed_of(key),
+    )
 }
 
 /// How far one run of a build may lie from another, as a natural logarithm: what is allowed always,

@@ -8,7 +8,8 @@ const SCHEMA: i64 = 1;
 
 /// The comparisons as JSON: `{"schema", "level", "fail_above", "fails", "comparisons": [{"adapter",
 /// "new_adapter", "old_records", "new_records", "compared": [{"kind", "scene", "particles", "name", "old_ms",
-/// "new_ms", "share_of_frame", "ratio", "low", "high", "verdict", "matters", "fails"}], "only_old",
+/// "new_ms", "share_of_frame", "ratio", "low", "high",
+/// "ratio_against_rest", "low_against_rest", "high_against_rest", "verdict", "matters", "fails"}], "only_old",
 /// "only_new", "warnings", "slowed_most"}]}`. `fail_above` is percent; `ratio`, `low` and `high` are new
 /// time over old time.
 pub fn comparisons_json(comparisons: &[Comparison], fail_above: Option<f64>) -> String {
@@ -70,7 +71,7 @@ fn compared(compared: &Compared, fail_above: Option<f64>) -> Json {
         Some((scene, particles)) => (scene.as_str().into(), (*particles as usize).into()),
         None => (Json::Null, Json::Null),
     };
-    let change = compared.change;
+    let (change, rest) = (compared.change, compared.against_rest);
     Json::object([
         ("kind", kind.into()),
         ("scene", scene),
@@ -82,6 +83,9 @@ fn compared(compared: &Compared, fail_above: Option<f64>) -> Json {
         ("ratio", number(change.map(|it| it.ratio))),
         ("low", number(change.map(|it| it.low))),
         ("high", number(change.map(|it| it.high))),
+        ("ratio_against_rest", number(rest.map(|it| it.ratio))),
+        ("low_against_rest", number(rest.map(|it| it.low))),
+        ("high_against_rest", number(rest.map(|it| it.high))),
         ("verdict", verdict.into()),
         ("matters", Json::Flag(compared.matters())),
         (

@@ -31,7 +31,15 @@ impl Compared {
             Verdict::Slower => format!("slower by {}", change.percent()),
             Verdict::Faster => format!("faster by {}", change.percent()),
             Verdict::Same => format!("no difference (within {})", within()),
-            Verdict::Unclear => format!("cannot tell (within {})", within()),
+            Verdict::Unclear => match self.against_rest {
+                Some(rest) if rest.low > 1.0 => {
+                    format!("slower against other passes by {}", rest.percent())
+                }
+                Some(rest) if rest.high < 1.0 => {
+                    format!("faster against other passes by {}", rest.percent())
+                }
+                _ => format!("cannot tell (within {})", within()),
+            },
         }
     }
 

@@ -98,7 +98,7 @@ pub fn planet(frame: &Frame, planet: &Planet, lamps: &[Lamp], pixel: u32) -> [u3
 
 /// Whether a world place is beyond the plane of the planet's outline.
 #[inline]
-pub(super) fn is_beyond(planet: &Planet, world: Vec3) -> bool {
-    let [x, y, z, distance] = planet.outline;
+pub(super) fn is_beyond(frame: &Frame, world: Vec3) -> bool {
+    let [x, y, z, distance] = frame.planet_outline;
     less(dot3(Vec3::new(x, y, z), world), distance)
 }

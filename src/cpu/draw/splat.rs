@@ -93,9 +93,7 @@ pub fn splat(
     if frame.layer != 0 && layer_of(&inputs.layer_planes, sprite.world) != frame.layer {
         return;
     }
-    if let [planet] = inputs.planets.as_slice()
-        && is_beyond(planet, sprite.world) != is_behind
-    {
+    if !inputs.planets.is_empty() && is_beyond(frame, sprite.world) != is_behind {
         return;
     }
     let rests = !moves(start, end) && !sprite.square;

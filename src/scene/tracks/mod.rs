@@ -49,10 +49,10 @@ pub enum Owner {
     System(usize),
     /// One of [`Scene::winds`].
     Wind(usize),
-    /// One of [`Scene::fires`].
-    Fire(usize),
     /// One of [`Scene::lamps`].
     Lamp(usize),
+    /// One of [`Scene::fires`].
+    Fire(usize),
 }
 
 /// A value that changes with the frame.

@@ -34,8 +34,8 @@ pub(in crate::scene) fn collect(root: &Node, scene: &mut Scene) -> Result<(), Sc
                     let owner = match kind {
                         "system" => Some(Owner::System(at)),
                         "wind" => Some(Owner::Wind(at)),
-                        "fire" => Some(Owner::Fire(at)),
                         "lamp" => Some(Owner::Lamp(at)),
+                        "fire" => Some(Owner::Fire(at)),
                         _ => None,
                     };
                     let name = match (kind, node.entry("name")) {
