@@ -124,15 +124,12 @@ fn p30_light_accumulates_to_saturation_in_any_order() {
     let alone = [&a, &b].map(|one| drawn(&scene_with(&[one], ""), 0).light);
     let mut saturated = 0;
     for (at, word) in ab.image.iter().enumerate() {
-        let [one, other] = [0, 1].map(|flame| alone[flame][at]);
-        for (channel, both) in ab.light[at].iter().enumerate().take(3) {
-            let sum = one[channel] + other[channel];
+        let sums = [0, 1, 2].map(|channel| alone[0][at][channel] + alone[1][at][channel]);
+        for (channel, (sum, both)) in sums.into_iter().zip(ab.light[at]).enumerate() {
             assert!((sum - both).abs() < 1e-5);
             let byte = f64::from((word >> (8 * channel)) & 255);
-            assert!(
-                (byte - sum.min(1.0) * 255.0).abs() <= 0.51,
-                "{byte} of {sum}"
-            );
+            let wanted = sum.min(1.0) * 255.0;
+            assert!((byte - wanted).abs() <= 0.51, "{byte} of {sum}");
             saturated += u32::from(sum > 1.0);
         }
     }
