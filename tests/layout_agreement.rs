@@ -161,6 +161,7 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             torus_inverse,
             grid_min,
             cells_per_unit,
+            cell_extent,
             color,
             grid,
             members,
@@ -252,6 +253,7 @@ fn constants_agree_bit_for_bit() {
         layout::CONSTANTS,
         layout::flock::CONSTANTS,
         motes::cpu::boid::CONSTANTS,
+        motes::cpu::grid::CONSTANTS,
         motes::cpu::steering::CONSTANTS,
     ]
     .concat()

@@ -61,7 +61,7 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
         .collect();
     let winds = winds_of(&now, number);
     let layer_planes = layer_planes(&now);
-    let (flocks, relations) = flocks_of(&now);
+    let (flocks, relations) = flocks_of(&now, &earlier);
     let frame = Frame {
         frame: number.cast_unsigned(),
         wind_count: winds.len() as u32,

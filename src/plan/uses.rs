@@ -2,8 +2,9 @@
 
 use super::FrameInputs;
 use crate::layout::{
-    BOID_TRIANGLE, FlockFrame, PARTICLE_RECTANGLE, PARTICLE_STREAK, ROW_OVER, Relation, SHAPE_MESH,
-    SystemFrame, SystemRow, WIND_ATTRACTOR, WIND_CURL, WIND_SOURCE, WIND_VORTEX, Wind,
+    BOID_TRIANGLE, EDGES_TORUS, FlockFrame, PARTICLE_RECTANGLE, PARTICLE_STREAK, ROW_OVER,
+    Relation, SHAPE_MESH, SystemFrame, SystemRow, WIND_ATTRACTOR, WIND_CURL, WIND_SOURCE,
+    WIND_VORTEX, Wind,
 };
 
 macro_rules! uses {
@@ -69,6 +70,8 @@ uses! {
     meshes "MESHES";
     /// Boids that look at more others than a loop of a software driver turns.
     crowds "CROWDS";
+    /// Flocks whose opposite edges are the same.
+    torus "TORUS";
     /// What covers what is behind it.
     covers "COVERS";
     /// Covering triangles.
@@ -77,6 +80,10 @@ uses! {
 
 fn is_drawn(flock: &FlockFrame) -> bool {
     flock.drawn[1] > 0
+}
+
+fn is_torus(flock: &FlockFrame) -> bool {
+    flock.members[3] == EDGES_TORUS
 }
 
 fn has_triangles(flock: &FlockFrame) -> bool {
@@ -109,6 +116,7 @@ impl Uses {
             layers: !inputs.layer_planes.is_empty(),
             covers: inputs.flocks.iter().any(is_drawn),
             triangles: inputs.flocks.iter().any(has_triangles),
+            torus: inputs.flocks.iter().any(is_torus),
             crowds: inputs
                 .flocks
                 .iter()

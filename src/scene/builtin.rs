@@ -53,6 +53,7 @@ pub const BUILTIN: &[BuiltinScene] = builtin![
     "flock-million",
     "fountain",
     "million",
+    "murmuration",
     "predators",
     "predators-ignored",
     "rorschach",

@@ -65,6 +65,7 @@ pub(super) const SWITCHES: &[&str] = &[
     "LAYERS",
     "MESHES",
     "CROWDS",
+    "TORUS",
     "COVERS",
     "TRIANGLES",
 ];

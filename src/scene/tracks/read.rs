@@ -3,7 +3,7 @@
 use super::form::{is_animated, pairs};
 use super::places::numbers_of;
 use super::{Interpolation, Key, Owner, Track};
-use crate::scene::schema::{CAMERA, Field, IMAGE, Kind, SYSTEM, WINDS};
+use crate::scene::schema::{CAMERA, FLOCK, Field, IMAGE, Kind, SYSTEM, WINDS};
 use crate::scene::tree::{Node, Value};
 use crate::scene::{Scene, SceneError};
 
@@ -33,11 +33,12 @@ pub(in crate::scene) fn collect(root: &Node, scene: &mut Scene) -> Result<(), Sc
                 for (at, node) in nodes.iter().enumerate() {
                     let owner = match kind {
                         "system" => Some(Owner::System(at)),
+                        "flock" => Some(Owner::Flock(at)),
                         "wind" => Some(Owner::Wind(at)),
                         _ => None,
                     };
                     let name = match (kind, node.entry("name")) {
-                        ("system", Some(name)) => name.node.text().map(str::to_owned),
+                        ("system" | "flock", Some(name)) => name.node.text().map(str::to_owned),
                         _ => None,
                     };
                     let name = name.unwrap_or_else(|| at.to_string());
@@ -170,6 +171,7 @@ fn able(owner: Owner, scene: &Scene) -> Vec<String> {
         Owner::Camera => CAMERA.iter().collect(),
         Owner::Wind(_) => WINDS.iter().flat_map(|wind| wind.fields).collect(),
         Owner::System(_) => SYSTEM.iter().collect(),
+        Owner::Flock(_) => FLOCK.iter().collect(),
     };
     let is_wind = matches!(owner, Owner::Wind(_));
     let mut able: Vec<String> = Vec::new();
