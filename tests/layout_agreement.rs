@@ -209,6 +209,7 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             torus_inverse,
             grid_min,
             cells_per_unit,
+            cell_extent,
             color,
             grid,
             members,
@@ -341,6 +342,7 @@ fn constants_agree_bit_for_bit() {
         motes::cpu::fan::CONSTANTS,
         motes::cpu::draw::flame_discs::CONSTANTS,
         motes::cpu::boid::CONSTANTS,
+        motes::cpu::grid::CONSTANTS,
         motes::cpu::steering::CONSTANTS,
     ]
     .concat()

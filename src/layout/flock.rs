@@ -92,6 +92,8 @@ pub struct FlockFrame {
     pub grid_min: [f32; 4],
     /// Grid cells a world unit; w: size of a boid.
     pub cells_per_unit: [f32; 4],
+    /// World units a grid cell, 0 where gaps to rows are not to be relied on; w unused.
+    pub cell_extent: [f32; 4],
     /// Red, green, blue and opacity.
     pub color: [f32; 4],
     /// Grid cells along x, y and z; the first one among those of all flocks.
@@ -119,6 +121,6 @@ pub struct Relation {
     pub separation: [f32; 4],
     /// Weight, speed and limit; w: the unit of pushes.
     pub alignment: [f32; 4],
-    /// Weight, speed and limit; w unused.
+    /// Weight, speed and limit; w: the radius, widened for rounding.
     pub cohesion: [f32; 4],
 }

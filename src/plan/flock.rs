@@ -8,46 +8,82 @@ use crate::scene::{BoidShape, Corners, Dimensions, Edges, Flock, RelationKind, R
 /// Marks hashes that make flocks' keys.
 const FLOCK_TAG: u32 = 0x666c_6f63;
 
-/// Cells along an axis at most, so that rounding stays below [`CELL_MARGIN`].
+/// Cells along an axis at most, so that rounding of their coordinates stays below a thousandth of a
+/// cell.
 const MOST_CELLS_ALONG: f64 = 2048.0;
 
-/// How much wider cells are than what they have to be, for rounding.
-const CELL_MARGIN: f64 = 1.001;
+/// Cells of all flocks that have fewer boids.
+const MOST_SPARSE_CELLS: u64 = 1 << 20;
+
+/// Cells across a radius: of who has most to look at, and of all at most, for software drivers end
+/// loops of many turns.
+const CELLS_A_RADIUS: f64 = 2.0;
+const MOST_CELLS_A_RADIUS: f64 = 4.0;
+
+/// Cells along x for one along the others: those of a row are looked at in one go.
+const FINER_ALONG_X: f64 = 2.0;
+
+/// How much farther boids look for neighbours than they see, for rounding.
+const RADIUS_MARGIN: f32 = 1.001;
+
+/// Who sees no farther than this does not ask how far away a row is: differences of so small squares
+/// may be lost.
+const LEAST_TOLD_RADIUS: f64 = 1.0 / 64.0;
 
 /// Where a flock's cells are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Grid {
     corners: Corners,
     cells: [u32; 3],
+    /// Whether all who look see far enough to ask how far away a row is.
+    tells_gaps: bool,
 }
 
 impl Grid {
-    /// The grid of the flock at `slot`: cells as wide as the farthest that anybody sees of it, and
-    /// no more of them than boids. A flock that nobody looks at has one.
+    /// The grid of the flock at `slot`. A flock that nobody looks at has one cell.
     fn of(scene: &Scene, slot: usize) -> Self {
         let flock = &scene.flocks[slot];
         let corners = flat(flock, corners_of(flock.edges).unwrap_or(flock.region));
         let looks = scene.flocks.iter().flat_map(|other| {
             let ties = other.relations.iter().filter(|tie| tie.other == slot);
-            ties.map(|tie| tie.radius.unwrap_or(other.perception_radius))
+            ties.map(|tie| (other.count, tie.radius.unwrap_or(other.perception_radius)))
         });
-        let farthest = looks.fold(0.0, f32::max);
+        let (mut most, mut main) = (0, 0.0);
+        let (mut nearest, mut farthest) = (f64::INFINITY, 0.0_f64);
+        for (count, radius) in looks {
+            let radius = f64::from(radius);
+            (nearest, farthest) = (nearest.min(radius), farthest.max(radius));
+            if count > most {
+                (most, main) = (count, radius);
+            }
+        }
         if farthest == 0.0 {
             return Self {
                 corners,
                 cells: [1; 3],
+                tells_gaps: false,
             };
         }
-        let mut width = f64::from(farthest) * CELL_MARGIN;
+        let sparse = MOST_SPARSE_CELLS / scene.flocks.len() as u64;
+        let count = u64::from(flock.count);
+        let most_cells = (2 * count).max(sparse.min(8 * count));
+        let mut width = (main / CELLS_A_RADIUS).max(farthest / MOST_CELLS_A_RADIUS);
         loop {
             let along = |axis: usize| {
                 let extent = f64::from(corners.max[axis]) - f64::from(corners.min[axis]);
-                (extent / width).floor().clamp(1.0, MOST_CELLS_ALONG) as u32
+                let finer = if axis == 0 { FINER_ALONG_X } else { 1.0 };
+                (extent * finer / width)
+                    .floor()
+                    .clamp(1.0, MOST_CELLS_ALONG) as u32
             };
             let cells = [0, 1, 2].map(along);
             let total: u64 = cells.into_iter().map(u64::from).product();
-            if total <= u64::from(flock.count) {
-                return Self { corners, cells };
+            if total <= most_cells {
+                return Self {
+                    corners,
+                    cells,
+                    tells_gaps: nearest >= LEAST_TOLD_RADIUS,
+                };
             }
             width *= 1.25;
         }
@@ -57,19 +93,31 @@ impl Grid {
         self.cells.iter().product()
     }
 
+    /// The width of a cell along each axis.
+    fn widths(&self) -> [f64; 3] {
+        let Corners { min, max } = self.corners;
+        [0, 1, 2]
+            .map(|axis| (f64::from(max[axis]) - f64::from(min[axis])) / f64::from(self.cells[axis]))
+    }
+
     fn cells_per_unit(&self) -> [f32; 3] {
-        let Self {
-            corners: Corners { min, max },
-            cells,
-        } = self;
+        let widths = self.widths();
         [0, 1, 2].map(|axis| {
-            let extent = f64::from(max[axis]) - f64::from(min[axis]);
-            if cells[axis] > 1 {
-                (f64::from(cells[axis]) / extent) as f32
+            if self.cells[axis] > 1 {
+                (1.0 / widths[axis]) as f32
             } else {
                 0.0
             }
         })
+    }
+
+    /// The widths, where they tell how far away a row is.
+    fn told_widths(&self) -> [f32; 3] {
+        if self.tells_gaps {
+            self.widths().map(|width| width as f32)
+        } else {
+            [0.0; 3]
+        }
     }
 }
 
@@ -103,14 +151,18 @@ pub(super) fn cell_count(scene: &Scene) -> u32 {
     slots.map(|slot| Grid::of(scene, slot).count()).sum()
 }
 
-/// Every flock of a frame and all their relations; `scene` is the scene as it is then.
-pub(super) fn flocks_of(scene: &Scene) -> (Vec<FlockFrame>, Vec<layout::Relation>) {
+/// Every flock of a frame and all their relations; `scene` is the scene as it is then, `earlier` as it
+/// was a frame before.
+pub(super) fn flocks_of(
+    scene: &Scene,
+    earlier: &Scene,
+) -> (Vec<FlockFrame>, Vec<layout::Relation>) {
     let mut flocks = Vec::new();
     let mut relations = Vec::new();
     let (mut first_boid, mut first_cell, mut first_cover) = (0, 0, 0);
-    for (slot, flock) in scene.flocks.iter().enumerate() {
+    for (slot, (flock, before)) in scene.flocks.iter().zip(&earlier.flocks).enumerate() {
         let grid = Grid::of(scene, slot);
-        let frame = flock_frame(flock, &grid, scene.seed);
+        let frame = flock_frame(flock, before.max_speed, &grid, scene.seed);
         let [cells_x, cells_y, cells_z] = grid.cells;
         let [_, count, key, edges] = frame.members;
         let [.., in_space, shape] = frame.ties;
@@ -130,7 +182,8 @@ pub(super) fn flocks_of(scene: &Scene) -> (Vec<FlockFrame>, Vec<layout::Relation
     (flocks, relations)
 }
 
-fn flock_frame(flock: &Flock, grid: &Grid, seed: u64) -> FlockFrame {
+/// A flock's frame; velocities are as they were limited to `speed_before`.
+fn flock_frame(flock: &Flock, speed_before: f32, grid: &Grid, seed: u64) -> FlockFrame {
     let with = |[x, y, z]: [f32; 3], w: f32| [x, y, z, w].map(snap);
     let extent = |Corners { min, max }: Corners| [0, 1, 2].map(|axis| max[axis] - min[axis]);
     let inverse = |extent: f32| if extent > 0.0 { 1.0 / extent } else { 0.0 };
@@ -151,7 +204,7 @@ fn flock_frame(flock: &Flock, grid: &Grid, seed: u64) -> FlockFrame {
     let force = flattened(flock, flock.force);
     let fastest = flock
         .start_speed
-        .max(flock.max_speed * factor.abs().max(1.0));
+        .max(flock.max_speed.max(speed_before) * factor.abs().max(1.0));
     let [red, green, blue] = flock.color;
     let shape = match flock.shape {
         BoidShape::Triangle => layout::BOID_TRIANGLE,
@@ -168,6 +221,7 @@ fn flock_frame(flock: &Flock, grid: &Grid, seed: u64) -> FlockFrame {
         torus_inverse: with(torus.map(inverse), 0.0),
         grid_min: with(grid.corners.min, SUM_STEPS / power_of_two_from(fastest)),
         cells_per_unit: with(grid.cells_per_unit(), flock.size),
+        cell_extent: with(grid.told_widths(), 0.0),
         color: [red, green, blue, flock.opacity].map(snap),
         grid: [0; 4],
         members: [
@@ -234,7 +288,7 @@ fn relation(flock: &Flock, tie: &crate::scene::Relation) -> layout::Relation {
         .map(snap),
         separation: weighed(rules[0], limit),
         alignment: weighed(rules[1], push),
-        cohesion: weighed(rules[2], 0.0),
+        cohesion: weighed(rules[2], radius * RADIUS_MARGIN),
     }
 }
 

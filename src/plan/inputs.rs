@@ -97,7 +97,7 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
     };
     let winds = winds_of(&now, number);
     let layer_planes = layer_planes(&now);
-    let (flocks, relations) = flocks_of(&now);
+    let (flocks, relations) = flocks_of(&now, &earlier);
     let (planets, lamps) = planet_of(&now);
     let (fires, listed_flames, age_looks) = fires_of(&now, &earlier, &plan.meshes, number);
     let frame = Frame {

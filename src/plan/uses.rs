@@ -2,8 +2,9 @@
 
 use super::FrameInputs;
 use crate::layout::{
-    BOID_TRIANGLE, FlockFrame, PARTICLE_RECTANGLE, PARTICLE_STREAK, ROW_OVER, Relation, SHAPE_MESH,
-    SystemFrame, SystemRow, WIND_ATTRACTOR, WIND_CURL, WIND_SOURCE, WIND_VORTEX, Wind,
+    BOID_TRIANGLE, EDGES_TORUS, FlockFrame, PARTICLE_RECTANGLE, PARTICLE_STREAK, ROW_OVER,
+    Relation, SHAPE_MESH, SystemFrame, SystemRow, WIND_ATTRACTOR, WIND_CURL, WIND_SOURCE,
+    WIND_VORTEX, Wind,
 };
 
 macro_rules! uses {
@@ -71,6 +72,8 @@ uses! {
     crowds "CROWDS";
     /// A planet, which splits the picture.
     planet "PLANET";
+    /// Flocks whose opposite edges are the same.
+    torus "TORUS";
     /// What covers what is behind it.
     covers "COVERS";
     /// Covering triangles.
@@ -79,6 +82,10 @@ uses! {
 
 fn is_drawn(flock: &FlockFrame) -> bool {
     flock.drawn[1] > 0
+}
+
+fn is_torus(flock: &FlockFrame) -> bool {
+    flock.members[3] == EDGES_TORUS
 }
 
 fn has_triangles(flock: &FlockFrame) -> bool {
@@ -112,6 +119,7 @@ impl Uses {
             layers: !inputs.layer_planes.is_empty(),
             covers: inputs.flocks.iter().any(is_drawn),
             triangles: inputs.flocks.iter().any(has_triangles),
+            torus: inputs.flocks.iter().any(is_torus),
             crowds: inputs
                 .flocks
                 .iter()

@@ -65,6 +65,7 @@ pub const BUILTIN: &[BuiltinScene] = builtin![
     "genesis-rings",
     "genesis-wall",
     "million",
+    "murmuration",
     "predators",
     "predators-ignored",
     "rorschach",

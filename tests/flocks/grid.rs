@@ -2,9 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use motes::cpu::grid::{around, cell_coordinates, cell_index, first_around};
+use motes::cpu::flock::steer::each_range;
+use motes::cpu::grid::{cell_coordinates, cell_index};
 use motes::gpu::GpuOptions;
-use motes::layout::{Boid, EDGES_TORUS, FlockFrame};
+use motes::layout::Boid;
 use motes::plan::{FrameInputs, Plan, Stage};
 
 use crate::common::*;
@@ -37,27 +38,16 @@ fn without_grid(inputs: &FrameInputs) -> FrameInputs {
     one_cell
 }
 
-/// Whom a boid finds in the cells around its own.
-fn candidates(flock: &FlockFrame, boid: &Boid, by_cell: &[Vec<u32>]) -> BTreeSet<u32> {
-    let cell = cell_coordinates(flock, boid.position().into());
-    let wraps = flock.members[3] == EDGES_TORUS;
-    let along = |at: i32, cells: u32| -> Vec<i32> {
-        let first = first_around(at, cells);
-        (first..first + cells.min(3) as i32)
-            .map(|at| if wraps { around(at, cells) } else { at })
-            .filter(|at| (0..cells as i32).contains(at))
-            .collect()
-    };
+/// Whom a boid looks at; `by_cell` are indices of boids sorted by cell, `starts` where cells begin.
+fn candidates(inputs: &FrameInputs, boid: &Boid, by_cell: &[u32], starts: &[u32]) -> BTreeSet<u32> {
+    let flock = &inputs.flocks[0];
+    let reach = inputs.relations[0].cohesion[3];
     let mut found = BTreeSet::new();
-    for z in along(cell.z, flock.grid[2]) {
-        for y in along(cell.y, flock.grid[1]) {
-            for x in along(cell.x, flock.grid[0]) {
-                for member in &by_cell[cell_index(flock, x, y, z) as usize] {
-                    assert!(found.insert(*member), "a boid is looked at twice");
-                }
-            }
+    each_range(flock, starts, boid.position().into(), reach, |range| {
+        for member in &by_cell[range] {
+            assert!(found.insert(*member), "a boid is looked at twice");
         }
-    }
+    });
     found
 }
 
@@ -71,11 +61,14 @@ fn f17_the_grid_finds_whom_brute_force_finds() {
         let flock = plan.inputs(0).flocks[0];
         let cells: u32 = flock.grid[..3].iter().product();
         assert!(cells > 50, "{:?}", flock.grid);
-        let mut by_cell = vec![Vec::new(); cells as usize];
-        for (at, boid) in (0..).zip(&all) {
-            let cell = cell_coordinates(&flock, boid.position().into());
-            by_cell[cell_index(&flock, cell.x, cell.y, cell.z) as usize].push(at);
-        }
+        let cell_of = |at: &u32| {
+            let cell = cell_coordinates(&flock, all[*at as usize].position().into());
+            cell_index(&flock, cell.x, cell.y, cell.z)
+        };
+        let mut by_cell: Vec<u32> = (0..all.len() as u32).collect();
+        by_cell.sort_by_key(cell_of);
+        let start = |cell: u32| by_cell.partition_point(|at| cell_of(at) < cell) as u32;
+        let starts: Vec<u32> = (0..=cells).map(start).collect();
         let radius = plan.inputs(0).relations[0].reach[1];
         let extents = [500.0, 300.0, if deep { 80.0 } else { 0.0 }];
         let is_near = |a: &Boid, b: &Boid| {
@@ -90,7 +83,7 @@ fn f17_the_grid_finds_whom_brute_force_finds() {
         };
         let mut most = 0;
         for boid in &all {
-            let found = candidates(&flock, boid, &by_cell);
+            let found = candidates(&plan.inputs(0), boid, &by_cell, &starts);
             let near = (0..).zip(&all).filter(|(_, other)| is_near(boid, other));
             for (other, _) in near {
                 assert!(found.contains(&other), "deep: {deep}, torus: {torus}");

@@ -73,6 +73,10 @@ pub(crate) const CHANGING: &[(&str, &str, &str, &str)] = &[
     ("generation_shape.line", "length", "0", "1"),
     ("generation_shape.attractor", "radius", "0", "1"),
     ("generation_shape.mesh", "scale", "0", "1"),
+    ("flock", "max_speed", "1", "10_000"),
+    ("flock", "force", "[0, 0, 0]", "[-1, 2, 3]"),
+    ("flock", "size", "3", "0.5"),
+    ("flock", "color", "[1, 0.5, 0]", "[0, 0, 1]"),
 ];
 
 /// The same values as plain scenes and as one with keys at frames 2 and 7.

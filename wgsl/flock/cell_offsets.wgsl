@@ -1,7 +1,7 @@
 // cell_offsets: cell_sums become exclusive prefix sums.
 //
 // Third step of the sort by cell. One invocation in all: a run stands for 64 cells, and there are
-// at most 16,384 runs. Reads: frame. Writes: cell_sums.
+// fewer than 65,535 runs. Reads: frame. Writes: cell_sums.
 // Invariant: cell_sums[i] is the number of boids before cell 64 i.
 
 #import motes::layout::Frame

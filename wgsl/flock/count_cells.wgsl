@@ -1,7 +1,7 @@
 // count_cells: the grid cell of each boid, and how many are in each cell.
 //
-// First step of the sort by cell. Each flock has a grid of its own, as coarse as the farthest that
-// anybody looks at it. One invocation a boid of the flock.
+// First step of the sort by cell. Each flock has a grid of its own, somewhat finer than how far
+// others see it. One invocation a boid of the flock.
 // Reads: flocks, boids. Writes: boid_cells, cell_counts (which begin as zeros).
 // Invariant: counts do not depend on the order of the additions.
 

@@ -4,19 +4,20 @@
 // attraction, then Particle.update and the edges. All see the state of the frame before, so that
 // the order of the boids does not matter. One invocation a boid of the flock, in sorted order.
 // Reads: flocks, relations, cell_starts, sorted_boids. Writes: boids.
-// Invariant: whoever is nearer than a relation's radius is in one of the cells around the boid's
-// own, for no cell is narrower than any radius that its flock is seen by.
+// Invariant: whoever is nearer than a relation's radius is looked at, and everybody at most once.
 
 #import motes::boid::{Motion, moved}
 #import motes::dispatch::linear_index
 #import motes::exact::{bits_of, dot3, less}
-#import motes::grid::{around, cell_coordinates, cell_index, first_around, nearest_way}
+#import motes::grid::{around, cell_index, gap_to, half_row, nearest_way, place_in_cells, span}
 #import motes::layout::{Boid, EDGES_TORUS, FlockFrame, Relation}
 #import motes::steering::{Perceived, answer, nothing, perceiving}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 // Whether boids may look at more others than loops of software drivers turn, 65,535.
 const CROWDS: bool = #{CROWDS};
+// Whether opposite edges of any flock are the same.
+const TORUS: bool = #{TORUS};
 
 struct Which {
     flock: u32,
@@ -41,13 +42,16 @@ struct View {
 fn visited(perceived: Perceived, view: View, at: u32) -> Perceived {
     let place = bitcast<vec3<f32>>(sorted_boids[at].position_and_flock.xyz);
     let straight = place - view.motion.position;
-    let torus = view.other.torus;
-    let inverse = view.other.torus_inverse;
-    let offset = vec3<f32>(
-        nearest_way(straight.x, torus.x, inverse.x),
-        nearest_way(straight.y, torus.y, inverse.y),
-        nearest_way(straight.z, torus.z, inverse.z),
-    );
+    var offset = straight;
+    if TORUS {
+        let torus = view.other.torus;
+        let inverse = view.other.torus_inverse;
+        offset = vec3<f32>(
+            nearest_way(straight.x, torus.x, inverse.x),
+            nearest_way(straight.y, torus.y, inverse.y),
+            nearest_way(straight.z, torus.z, inverse.z),
+        );
+    }
     let squared = dot3(offset, offset);
     if at == view.own || !less(squared, view.relation.reach.x) {
         return perceived;
@@ -71,59 +75,60 @@ fn visited_all(perceived: Perceived, view: View, range: vec2<u32>) -> Perceived 
         let eight = visited_four(visited_four(all, view, at), view, at + 4u);
         all = visited_four(visited_four(eight, view, at + 8u), view, at + 12u);
     }
+    for (; CROWDS && at + 4u <= range.y; at += 4u) {
+        all = visited_four(all, view, at);
+    }
     for (; at < range.y; at += 1u) {
         all = visited(all, view, at);
     }
     return all;
 }
 
-// The sorted places of a row's cells with x in first ..= last, cut off at the grid's ends.
-fn row_range(other: FlockFrame, first: i32, last: i32, y: i32, z: i32) -> vec2<u32> {
-    let low = max(first, 0i);
-    let high = min(last, i32(other.grid.x) - 1i);
-    if low > high || y < 0i || z < 0i || y >= i32(other.grid.y) || z >= i32(other.grid.z) {
-        return vec2<u32>(0u);
-    }
-    return vec2<u32>(
-        cell_starts[cell_index(other, low, y, z)],
-        cell_starts[cell_index(other, high, y, z) + 1u],
-    );
+// The sorted places of a row's cells from x = first on, so many.
+fn row_range(other: FlockFrame, first: i32, count: i32, y: i32, z: i32) -> vec2<u32> {
+    let start = cell_index(other, first, y, z);
+    return vec2<u32>(cell_starts[start], cell_starts[start + u32(count)]);
 }
 
-// All that a boid perceives of a flock: row by row of the cells around it; on a torus, the part of
-// a row beyond an end is a row of its own.
+// All that a boid perceives of a flock: row by row of the cells in reach; on a torus, the part of a
+// row beyond its end is a row of its own.
 fn look(view: View) -> Perceived {
     let other = view.other;
-    let cell = cell_coordinates(other, view.motion.position);
-    let first = vec3<i32>(
-        first_around(cell.x, other.grid.x),
-        first_around(cell.y, other.grid.y),
-        first_around(cell.z, other.grid.z),
-    );
-    let last_x = first.x + i32(min(other.grid.x, 3u)) - 1i;
-    let wraps = other.members.w == EDGES_TORUS;
-    let parts = select(1u, 2u, wraps);
-    let rows_y = min(other.grid.y, 3u);
-    let rows = rows_y * min(other.grid.z, 3u) * parts;
+    let wraps = TORUS && other.members.w == EDGES_TORUS;
+    let reach = view.relation.cohesion.w;
+    let place = place_in_cells(other, view.motion.position);
+    let along_y = span(place.y, reach * other.cells_per_unit.y, other.grid.y, wraps);
+    let along_z = span(place.z, reach * other.cells_per_unit.z, other.grid.z, wraps);
     var perceived = nothing();
-    for (var row = 0u; row < rows; row += 1u) {
-        let line = row / parts;
-        var y = first.y + i32(line % rows_y);
-        var z = first.z + i32(line / rows_y);
-        var x = first.x;
-        var end = last_x;
-        if wraps {
-            y = around(y, other.grid.y);
-            z = around(z, other.grid.z);
-            if row % 2u == 1u {
-                // What is beyond the first end, or else beyond the last.
-                let beyond = select(0i, i32(other.grid.x) - 1i, x < 0i);
-                let any = x < 0i || end >= i32(other.grid.x);
-                x = beyond;
-                end = select(-1i, beyond, any);
+    var y = along_y.first;
+    var z = along_z.first;
+    for (var row = along_y.count * along_z.count; row > 0i; row -= 1i) {
+        let gap_y = gap_to(y, place.y, other.cell_extent.y, along_y.count, other.grid.y, wraps);
+        let gap_z = gap_to(z, place.z, other.cell_extent.z, along_z.count, other.grid.z, wraps);
+        let half = half_row(reach, gap_y * gap_y + gap_z * gap_z);
+        if less(0.0f, half) {
+            let along_x = span(place.x, half * other.cells_per_unit.x, other.grid.x, wraps);
+            if TORUS && wraps {
+                let first = around(along_x.first, other.grid.x);
+                let row_y = around(y, other.grid.y);
+                let row_z = around(z, other.grid.z);
+                let within = min(along_x.count, i32(other.grid.x) - first);
+                var range = row_range(other, first, within, row_y, row_z);
+                perceived = visited_all(perceived, view, range);
+                if within < along_x.count {
+                    range = row_range(other, 0i, along_x.count - within, row_y, row_z);
+                    perceived = visited_all(perceived, view, range);
+                }
+            } else {
+                let range = row_range(other, along_x.first, along_x.count, y, z);
+                perceived = visited_all(perceived, view, range);
             }
         }
-        perceived = visited_all(perceived, view, row_range(other, x, end, y, z));
+        y += 1i;
+        if y == along_y.first + along_y.count {
+            y = along_y.first;
+            z += 1i;
+        }
     }
     return perceived;
 }

@@ -301,6 +301,8 @@ struct FlockFrame {
     grid_min: vec4<f32>,
     // w: size of a boid.
     cells_per_unit: vec4<f32>,
+    // World units a cell, 0 where gaps to rows are not to be relied on.
+    cell_extent: vec4<f32>,
     // Red, green, blue, opacity.
     color: vec4<f32>,
     // Cells along x, y, z; the first one among those of all flocks.

@@ -5,7 +5,7 @@ use std::ops::Range;
 use glam::Vec3;
 
 use crate::cpu::boid::{Motion, moved};
-use crate::cpu::grid::{around, cell_coordinates, cell_index, first_around, nearest_way};
+use crate::cpu::grid::{around, cell_index, gap_to, half_row, nearest_way, place_in_cells, span};
 use crate::cpu::steering::{Neighbour, Perceived, answer, perceiving};
 use crate::exact::{bits_of, dot3, less};
 use crate::layout::{Boid, EDGES_TORUS, FlockFrame, Relation};
@@ -44,54 +44,76 @@ fn visited(perceived: Perceived, view: &View, at: usize) -> Perceived {
     perceiving(perceived, view.relation, view.other, neighbour, own)
 }
 
-/// The sorted places of a row's cells with x in first ..= last, cut off at the grid's ends.
-fn row_range(view: &View, first: i32, last: i32, y: i32, z: i32) -> Range<usize> {
-    let other = view.other;
-    let [cells_x, cells_y, cells_z, _] = other.grid.map(u32::cast_signed);
-    let low = first.max(0);
-    let high = last.min(cells_x - 1);
-    if low > high || y < 0 || z < 0 || y >= cells_y || z >= cells_z {
-        return 0..0;
-    }
-    let start = view.starts[cell_index(other, low, y, z) as usize];
-    let end = view.starts[cell_index(other, high, y, z) as usize + 1];
-    start as usize..end as usize
+/// The sorted places of a row's cells from x = first on, so many.
+fn row_range(
+    other: &FlockFrame,
+    starts: &[u32],
+    first: i32,
+    count: i32,
+    [y, z]: [i32; 2],
+) -> Range<usize> {
+    let start = cell_index(other, first, y, z) as usize;
+    let end = start + count.cast_unsigned() as usize;
+    starts[start] as usize..starts[end] as usize
 }
 
-/// All that a boid perceives of a flock: row by row of the cells around it; on a torus, the part of
-/// a row beyond an end is a row of its own.
-fn look(view: &View) -> Perceived {
-    let other = view.other;
-    let [cells_x, cells_y, cells_z, _] = other.grid;
-    let cell = cell_coordinates(other, view.motion.position);
-    let first_x = first_around(cell.x, cells_x);
-    let first_y = first_around(cell.y, cells_y);
-    let first_z = first_around(cell.z, cells_z);
-    let last_x = first_x + cells_x.min(3).cast_signed() - 1;
+/// Hands over the sorted places of all whom one at `position` may see of a flock, and some more: row
+/// by row of the cells in reach; on a torus, the part of a row beyond its end is a row of its own.
+pub fn each_range(
+    other: &FlockFrame,
+    starts: &[u32],
+    position: Vec3,
+    reach: f32,
+    mut visit: impl FnMut(Range<usize>),
+) {
     let wraps = other.members[3] == EDGES_TORUS;
-    let parts = if wraps { 2 } else { 1 };
-    let rows_y = cells_y.min(3);
-    let rows = rows_y * cells_z.min(3) * parts;
-    let mut perceived = Perceived::default();
-    for row in 0..rows {
-        let line = row / parts;
-        let mut y = first_y + (line % rows_y).cast_signed();
-        let mut z = first_z + (line / rows_y).cast_signed();
-        let (mut x, mut end) = (first_x, last_x);
-        if wraps {
-            y = around(y, cells_y);
-            z = around(z, cells_z);
-            if row % 2 == 1 {
-                // What is beyond the first end, or else beyond the last.
-                let last = cells_x.cast_signed() - 1;
-                let beyond = if x < 0 { last } else { 0 };
-                let any = x < 0 || end > last;
-                (x, end) = (beyond, if any { beyond } else { -1 });
+    let place = place_in_cells(other, position);
+    let [cells_x, cells_y, cells_z, _] = other.grid;
+    let [per_unit_x, per_unit_y, per_unit_z, _] = other.cells_per_unit;
+    let [_, extent_y, extent_z, _] = other.cell_extent;
+    let along_y = span(place.y, reach * per_unit_y, cells_y, wraps);
+    let along_z = span(place.z, reach * per_unit_z, cells_z, wraps);
+    for z in along_z.first..along_z.first + along_z.count {
+        let gap_z = gap_to(z, place.z, extent_z, along_z.count, cells_z, wraps);
+        for y in along_y.first..along_y.first + along_y.count {
+            let gap_y = gap_to(y, place.y, extent_y, along_y.count, cells_y, wraps);
+            let half = half_row(reach, gap_y * gap_y + gap_z * gap_z);
+            if !less(0.0, half) {
+                continue;
+            }
+            let along_x = span(place.x, half * per_unit_x, cells_x, wraps);
+            if !wraps {
+                let row = [y, z];
+                visit(row_range(other, starts, along_x.first, along_x.count, row));
+                continue;
+            }
+            let row = [around(y, cells_y), around(z, cells_z)];
+            let first = around(along_x.first, cells_x);
+            let within = along_x.count.min(cells_x.cast_signed() - first);
+            visit(row_range(other, starts, first, within, row));
+            if within < along_x.count {
+                let beyond = along_x.count - within;
+                visit(row_range(other, starts, 0, beyond, row));
             }
         }
-        perceived = row_range(view, x, end, y, z)
-            .fold(perceived, |perceived, at| visited(perceived, view, at));
     }
+}
+
+/// All that a boid perceives of a flock.
+fn look(view: &View) -> Perceived {
+    let reach = view.relation.cohesion[3];
+    let mut perceived = Perceived::default();
+    each_range(
+        view.other,
+        view.starts,
+        view.motion.position,
+        reach,
+        |range| {
+            for at in range {
+                perceived = visited(perceived, view, at);
+            }
+        },
+    );
     perceived
 }
 

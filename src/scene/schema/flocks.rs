@@ -1,6 +1,6 @@
 //! The tables of flocks. A row is as in the other tables.
 
-use super::rows::{PLACE, default, numbers, optional, required, whole};
+use super::rows::{PLACE, default, keyed, numbers, optional, required, whole};
 use super::{Field, Kind, Variant};
 
 /// Keys of each `[[flock]]`.
@@ -11,15 +11,15 @@ pub const FLOCK: &[Field] = &[
     default("dimensions", whole(2, 3), "2", "", "2: boids live in the plane of z = 0, and no z of the flock counts; 3: they live in space", ""),
     required("region", Kind::Table(REGION), "{ min = [0, 0, 0], max = [500, 300, 0] }", "", "where boids are at first", ""),
     default("start_speed", numbers(1, 0.0, 1e4), "1", "world units a frame", "speed at first, in a random direction", ""),
-    default("max_speed", numbers(1, 1e-6, 1e4), "2", "world units a frame", "velocities are limited to it after each move", ""),
+    keyed(default("max_speed", numbers(1, 1e-6, 1e4), "2", "world units a frame", "velocities are limited to it after each move", "")),
     default("mass", numbers(1, 1e-6, 1e6), "1", "", "what forces are divided by", ""),
-    default("force", numbers(3, -1e4, 1e4), "[0, 0, 0]", "mass times world units a frame squared", "a constant force, such as gravity", ""),
+    keyed(default("force", numbers(3, -1e4, 1e4), "[0, 0, 0]", "mass times world units a frame squared", "a constant force, such as gravity", "")),
     default("perception_radius", RADIUS, "60", "world units", "how far a boid sees, unless a relation says otherwise", ""),
     default("edges", Kind::Variants(EDGES), "{ kind = \"none\" }", "", "what happens at the ends of the world", ""),
     default("relation", Kind::List { variants: RELATIONS, max: 16 }, "[]", "", "what the flock makes of others and of itself, one `[[flock.relation]]` each; without any, boids are free particles", ""),
     default("shape", Kind::Choice(&["triangle", "disc", "point"]), "\"triangle\"", "", "what a boid looks like: a triangle that points where it flies, or a disc; that of a point has its size in pixels", ""),
-    default("size", numbers(1, 1e-6, 1e4), "3", "world units, pixels of a point", "base of the triangle, or diameter of the disc", ""),
-    default("color", numbers(3, 0.0, 1.0), "[1, 1, 1]", "display-referred red, green, blue", "colour", ""),
+    keyed(default("size", numbers(1, 1e-6, 1e4), "3", "world units, pixels of a point", "base of the triangle, or diameter of the disc", "")),
+    keyed(default("color", numbers(3, 0.0, 1.0), "[1, 1, 1]", "display-referred red, green, blue", "colour", "")),
     default("opacity", numbers(1, 0.0, 1.0), "1", "0 invisible, 1 opaque", "how much of what is behind it a boid hides", ""),
     default("mirrored", Kind::Flag, "false", "", "whether each boid is drawn a second time, mirrored, at -x", ""),
 ];

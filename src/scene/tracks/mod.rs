@@ -47,6 +47,8 @@ pub enum Owner {
     Camera,
     /// One of [`Scene::systems`].
     System(usize),
+    /// One of [`Scene::flocks`].
+    Flock(usize),
     /// One of [`Scene::winds`].
     Wind(usize),
     /// One of [`Scene::lamps`].

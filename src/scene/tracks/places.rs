@@ -1,7 +1,7 @@
 //! Which values can change with the frame, and where they are.
 
 use super::Owner;
-use crate::scene::{Fire, GenerationShape, Scene, System, Wind};
+use crate::scene::{Fire, Flock, GenerationShape, Scene, System, Wind};
 
 /// The numbers that a key names, if they may change with the frame.
 pub(super) fn numbers_of<'a>(
@@ -33,8 +33,20 @@ pub(super) fn numbers_of<'a>(
                 _ => return None,
             }
         }
+        Owner::Flock(at) => return flock_numbers(scene.flocks.get_mut(at)?, key),
         Owner::Wind(at) => return wind_numbers(scene.winds.get_mut(at)?, key),
         Owner::Fire(at) => return fire_numbers(scene.fires.get_mut(at)?, key),
+    })
+}
+
+fn flock_numbers<'a>(flock: &'a mut Flock, key: &str) -> Option<&'a mut [f32]> {
+    use std::slice::from_mut as one;
+    Some(match key {
+        "max_speed" => one(&mut flock.max_speed),
+        "force" => &mut flock.force,
+        "size" => one(&mut flock.size),
+        "color" => &mut flock.color,
+        _ => return None,
     })
 }
 

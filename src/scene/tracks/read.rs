@@ -3,7 +3,7 @@
 use super::form::{is_animated, pairs};
 use super::places::numbers_of;
 use super::{Interpolation, Key, Owner, Track};
-use crate::scene::schema::{CAMERA, FIRE, Field, IMAGE, Kind, LAMP, SYSTEM, WINDS};
+use crate::scene::schema::{CAMERA, FIRE, FLOCK, Field, IMAGE, Kind, LAMP, SYSTEM, WINDS};
 use crate::scene::tree::{Node, Value};
 use crate::scene::{Scene, SceneError};
 
@@ -33,13 +33,16 @@ pub(in crate::scene) fn collect(root: &Node, scene: &mut Scene) -> Result<(), Sc
                 for (at, node) in nodes.iter().enumerate() {
                     let owner = match kind {
                         "system" => Some(Owner::System(at)),
+                        "flock" => Some(Owner::Flock(at)),
                         "wind" => Some(Owner::Wind(at)),
                         "lamp" => Some(Owner::Lamp(at)),
                         "fire" => Some(Owner::Fire(at)),
                         _ => None,
                     };
                     let name = match (kind, node.entry("name")) {
-                        ("system" | "fire", Some(name)) => name.node.text().map(str::to_owned),
+                        ("system" | "flock" | "fire", Some(name)) => {
+                            name.node.text().map(str::to_owned)
+                        }
                         _ => None,
                     };
                     let name = name.unwrap_or_else(|| at.to_string());
@@ -174,6 +177,7 @@ fn able(owner: Owner, scene: &Scene) -> Vec<String> {
         Owner::Lamp(_) => LAMP.iter().collect(),
         Owner::System(_) => SYSTEM.iter().collect(),
         Owner::Fire(_) => FIRE.iter().collect(),
+        Owner::Flock(_) => FLOCK.iter().collect(),
     };
     let is_wind = matches!(owner, Owner::Wind(_));
     let mut able: Vec<String> = Vec::new();
