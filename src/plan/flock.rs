@@ -17,7 +17,7 @@ const MOST_SPARSE_CELLS: u64 = 1 << 20;
 
 /// Cells across a radius: of who has most to look at, and of all at most, for software drivers end
 /// loops of many turns.
-const CELLS_A_RADIUS: f64 = 2.0;
+const CELLS_A_RADIUS: f64 = 1.0;
 const MOST_CELLS_A_RADIUS: f64 = 4.0;
 
 /// Cells along x for one along the others: those of a row are looked at in one go.
@@ -66,7 +66,7 @@ impl Grid {
         }
         let sparse = MOST_SPARSE_CELLS / scene.flocks.len() as u64;
         let count = u64::from(flock.count);
-        let most_cells = (2 * count).max(sparse.min(8 * count));
+        let most_cells = count.max(sparse.min(8 * count));
         let mut width = (main / CELLS_A_RADIUS).max(farthest / MOST_CELLS_A_RADIUS);
         loop {
             let along = |axis: usize| {

@@ -75,9 +75,6 @@ fn visited_all(perceived: Perceived, view: View, range: vec2<u32>) -> Perceived 
         let eight = visited_four(visited_four(all, view, at), view, at + 4u);
         all = visited_four(visited_four(eight, view, at + 8u), view, at + 12u);
     }
-    for (; CROWDS && at + 4u <= range.y; at += 4u) {
-        all = visited_four(all, view, at);
-    }
     for (; at < range.y; at += 1u) {
         all = visited(all, view, at);
     }
@@ -108,20 +105,21 @@ fn look(view: View) -> Perceived {
         let half = half_row(reach, gap_y * gap_y + gap_z * gap_z);
         if less(0.0f, half) {
             let along_x = span(place.x, half * other.cells_per_unit.x, other.grid.x, wraps);
-            if TORUS && wraps {
-                let first = around(along_x.first, other.grid.x);
-                let row_y = around(y, other.grid.y);
-                let row_z = around(z, other.grid.z);
-                let within = min(along_x.count, i32(other.grid.x) - first);
-                var range = row_range(other, first, within, row_y, row_z);
+            var first = along_x.first;
+            var row_y = y;
+            var row_z = z;
+            if wraps {
+                first = around(first, other.grid.x);
+                row_y = around(y, other.grid.y);
+                row_z = around(z, other.grid.z);
+            }
+            // One turn, but for what is beyond the end of a torus.
+            for (var left = along_x.count; left > 0i;) {
+                let within = min(left, i32(other.grid.x) - first);
+                let range = row_range(other, first, within, row_y, row_z);
                 perceived = visited_all(perceived, view, range);
-                if within < along_x.count {
-                    range = row_range(other, 0i, along_x.count - within, row_y, row_z);
-                    perceived = visited_all(perceived, view, range);
-                }
-            } else {
-                let range = row_range(other, along_x.first, along_x.count, y, z);
-                perceived = visited_all(perceived, view, range);
+                left -= within;
+                first = 0i;
             }
         }
         y += 1i;
