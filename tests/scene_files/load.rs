@@ -100,7 +100,7 @@ fn large_and_garbled_files_are_refused() {
 fn an_error_reads_like_this() {
     let wanted = "\
 error: `camera.up.1` is out of range: -2000000
-  --> scenes/some.toml:18:10
+  --> scenes/some.toml:19:10
    |
 18 | up = [0, -2e6, 0]
    |          ^^^^
