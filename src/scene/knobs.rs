@@ -108,6 +108,8 @@ impl Finder {
         match (field.kind, node.map(|node| &node.value)) {
             // Not a knob, but a matter of words.
             (Kind::Text { .. } | Kind::Name { .. }, _) => Ok(()),
+            // What is not there at all has nothing to turn: it is not its keys' defaults.
+            (Kind::Table(_), None) if matches!(field.presence, Presence::Optional(_)) => Ok(()),
             (Kind::Table(fields), _) => self.table(&path, fields, node),
             (Kind::Tables { fields, .. }, Some(Value::Array(items))) => {
                 for (at, item) in items.iter().enumerate() {

@@ -16,6 +16,8 @@ pub(crate) const CHANGING: &[(&str, &str, &str, &str)] = &[
     ("camera", "up", "[0, 1, 0]", "[0.5, 1, 0]"),
     ("camera", "view_height", "1", "0.25"),
     ("camera", "vertical_fov_degrees", "1", "170"),
+    ("lamp", "position", "[0, 0, 0]", "[-1, 2, 3]"),
+    ("lamp", "color", "[0, 0.5, 1]", "[1_000_000, 0, 2]"),
     ("system", "position", "[0, 0, 0]", "[-1, 2, 3]"),
     ("system", "rotation_degrees", "[0, 36_000]", "[-36_000, 45]"),
     ("system", "initial_mean_parts", "0", "16_000_000"),
@@ -184,6 +186,7 @@ fn what_cannot_change_is_refused_where_it_tries() {
         let field = fields_of(section).iter().find(|field| field.key == key);
         let field = field.expect("a key of the schema");
         let sample = match field.kind {
+            Kind::Randomised { count: 3, .. } => "[1, 1, 1]",
             Kind::Randomised { .. } => "1",
             _ => field.sample(),
         };

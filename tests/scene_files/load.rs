@@ -100,9 +100,9 @@ fn large_and_garbled_files_are_refused() {
 fn an_error_reads_like_this() {
     let wanted = "\
 error: `camera.up.1` is out of range: -2000000
-  --> scenes/some.toml:18:10
+  --> scenes/some.toml:19:10
    |
-18 | up = [0, -2e6, 0]
+19 | up = [0, -2e6, 0]
    |          ^^^^
    = help: `up` (which way is up in the picture) is an array of 3 numbers, each from -1_000_000 to 1_000_000, world space";
     let error = refused(&with("camera", "up", "[0, -2e6, 0]"));

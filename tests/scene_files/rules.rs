@@ -182,6 +182,7 @@ fn r11_schema_has_mean_and_var_for_all_seven_attributes() {
             "cone",
             "line",
             "attractor",
+            "rings",
             "mesh"
         ]
     );

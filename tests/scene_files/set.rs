@@ -105,7 +105,7 @@ fn a_wrong_set_is_shown_with_what_would_be_right() {
         ("camera.position.3=1", "no `3` in `camera.position`", "items are 0 to 2", 23),
         ("camera.position.x=1", "no `x` in `camera.position`", "items are 0 to 2", 23),
         ("image.width.x=1", "`image.width` is the whole number 640", "end the path", 19),
-        ("system.2.speed=1", "no `2` in `system`", "items are 0 to 1, or by name first, second", 14),
+        ("system.3.speed=1", "no `3` in `system`", "items are 0 to 2, or by name first, second, rings", 14),
         ("system.frist.speed=1", "no `frist` in `system`", "did you mean `first`?", 14),
         ("system.0.speed=\"fast\"", "`system.first.speed` cannot be text", "mean", 22),
         ("system.1.name=first", "already that of another", "a name of its own", 21),

@@ -189,7 +189,11 @@ fn value(field: &Field) -> String {
             let words: Vec<String> = words.iter().map(|word| format!("`\"{word}\"`")).collect();
             words.join(" or ")
         }
-        Kind::Table(_) => format!("a table: [`[{0}]`](#{0})", field.key),
+        Kind::Table(_) => match parent_of(field.key) {
+            // A flock's region and a fire's roots are written in braces, too.
+            Some("system") => format!("a table: [`[system.{0}]`](#system{0})", field.key),
+            _ => format!("a table: [`[{0}]`](#{0})", field.key),
+        },
         Kind::Tables { max, .. } => tables(field, max),
         Kind::Variants(_) => format!("a table: [`{0}`](#{0})", field.key),
         Kind::List { max, .. } => tables(field, max),
