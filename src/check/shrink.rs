@@ -108,6 +108,7 @@ pub fn shrunk(scene: &Scene, frames: u32) -> Result<Scene, PlanError> {
             Err(_) => 1.0 / 1024.0,
         };
     }
-    let small = small.with_births(factor);
+    let mut small = small.with_births(factor);
+    small.capacity = small.capacity.map(|most| most.min(MOST_PARTICLES));
     Plan::new(&small, frames).map(|_| small)
 }

@@ -7,7 +7,10 @@
 
 use super::commands::STAGE_KERNELS;
 use super::sort;
-use crate::layout::{Boid, Cover, Dispatch, FLAME_STEPS, Flame, FlameDisc, Particle, SystemFrame};
+use crate::layout::{
+    Boid, Cover, Dispatch, FLAME_STEPS, Flame, FlameDisc, Node, Particle, Pose, SystemFrame,
+    SystemRow,
+};
 use crate::plan::{Stage, Uses};
 
 /// How much there is to do in a frame.
@@ -135,6 +138,14 @@ type Line = (&'static str, fn(&Load) -> (u64, u64));
 
 /// Every kernel of a frame, in order; `draw/clear_light` is a command between them.
 static TABLE: &[Line] = &[
+    ("tree/bear", |load| (load.systems, load.systems * WORD)),
+    ("tree/settle", |load| (load.systems, load.systems * WORD)),
+    ("tree/found", |load| (load.systems, load.systems * WORD)),
+    ("tree/pose", |load| {
+        let written = size_of::<Pose>() + size_of::<SystemFrame>() + size_of::<SystemRow>();
+        let node = size_of::<Node>() + written;
+        (load.systems, load.systems * node as u64)
+    }),
     ("systems/births", |load| {
         let frame = size_of::<SystemFrame>() as u64;
         (load.systems, load.systems * (frame + WORD))
@@ -256,6 +267,7 @@ static TABLE: &[Line] = &[
         let records = load.seen_covers * COVER + load.tile_words() * WORD;
         (load.pixels, load.covered() + records)
     }),
+    ("draw/planet", |load| (load.pixels, load.pixels * 4 * WORD)),
     ("draw/clear_light", |load| {
         (load.pixels, load.pixels * 2 * LIMB)
     }),
@@ -268,6 +280,9 @@ static TABLE: &[Line] = &[
     }),
     ("draw/splat_large", |load| {
         (load.large, load.large * (PARTICLE + WORD))
+    }),
+    ("draw/hide", |load| {
+        (load.pixels, load.pixels * (WORD + 4 * LIMB))
     }),
     ("draw/flame_discs", |load| {
         let each = FLAME + FLAME_PLACES + FLAME_DISCS + 4 * WORD;
@@ -330,7 +345,9 @@ mod tests {
         let mut kernels: Vec<_> = STAGE_KERNELS.iter().map(|of| of.kernel).collect();
         let splat = kernels.iter().position(|name| *name == "draw/splat");
         kernels.insert(splat.expect("light is splatted"), "draw/clear_light");
-        kernels.dedup();
+        // Where there is a planet, particles behind it are splatted before those in front.
+        let mut met = std::collections::HashSet::new();
+        kernels.retain(|kernel| met.insert(*kernel));
         assert_eq!(lines, kernels);
     }
 }

@@ -166,6 +166,7 @@ fn named(gpu: &GpuDevice, records: u32) -> Result<Vec<(&'static str, wgpu::Buffe
         storage("sums_2", records.div_ceil(131_072)),
         storage("deaths", 4),
         storage("counts", words_of(size_of::<Counts>())),
+        storage("tree_counts", words_of(size_of::<Counts>())),
         storage("statistics", words_of(size_of::<FrameStats>()) * 256),
         (
             "frame",
@@ -179,7 +180,7 @@ fn named(gpu: &GpuDevice, records: u32) -> Result<Vec<(&'static str, wgpu::Buffe
     ];
     for (name, buffer) in &list {
         match *name {
-            "alive_bits" => fill(gpu, buffer, 0)?,
+            "alive_bits" | "tree_counts" => fill(gpu, buffer, 0)?,
             "counts" => {
                 let counts = Counts {
                     total: records,
