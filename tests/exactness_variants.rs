@@ -227,6 +227,9 @@ fn a_run_that_begins_late_is_the_whole_run() {
     }
 }
 
+/// Frames of each scene in the bounded run: the whole one sees all deaths, too.
+const FEW_FRAMES: u32 = 30;
+
 #[test]
 fn every_built_in_scene_passes_check_on_every_adapter() {
     common::on_each_adapter(|adapter, device| {
@@ -235,7 +238,7 @@ fn every_built_in_scene_passes_check_on_every_adapter() {
             let frames = if common::full() {
                 scene.frames
             } else {
-                default_frames(&scene)
+                default_frames(&scene).min(FEW_FRAMES)
             };
             let scene = match common::full() {
                 true => scene,
@@ -264,8 +267,9 @@ fn every_built_in_scene_passes_check_on_every_adapter() {
             }
             assert_eq!(outcome.frames, frames, "{}", builtin.name);
             // Flocks keep the number of their boids, and fires that of their flames.
+            let few = if common::full() { 1000 } else { 50 };
             assert!(
-                outcome.most_particles > 1000 || plan.system_count == 0 || plan.fire_count > 0,
+                outcome.most_particles > few || plan.system_count == 0 || plan.fire_count > 0,
                 "{}: {outcome:?}",
                 builtin.name
             );
