@@ -1,12 +1,16 @@
 //! A file that appears whole or not at all.
 //!
-//! Bytes go to a hidden file `.motes-…` in the same folder (so that renaming stays on one file system); [`AtomicFile::commit`]
-//! renames it to its place, and dropping it without that removes it. A killed process leaves at most the hidden file.
+//! Bytes go to a hidden file `.motes-TOKEN-…` in the same folder (so that renaming stays on one file system);
+//! [`AtomicFile::commit`] renames it to its place, and dropping it without that removes it. A killed process leaves at
+//! most the hidden file, whose token ([`token`]) tells whose it was.
 
 use std::fs::{self, File, OpenOptions};
+use std::hash::{BuildHasher as _, RandomState};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::SystemTime;
 
 use super::OutputError;
 
@@ -153,13 +157,26 @@ fn parent_folder(path: &Path) -> &Path {
     }
 }
 
+/// A number that this process has drawn by lot, and puts into the names of its hidden files. Numbers of processes would
+/// not do: they are given again, and machines that share a folder each have their own.
+pub(crate) fn token() -> u64 {
+    static TOKEN: OnceLock<u64> = OnceLock::new();
+    *TOKEN.get_or_init(|| RandomState::new().hash_one((SystemTime::now(), std::process::id())))
+}
+
+/// How the names of all hidden files begin that a process with this token makes.
+pub(crate) fn hidden_prefix(token: u64) -> String {
+    format!(".motes-{token:016x}-")
+}
+
 fn create_hidden(folder: &Path) -> io::Result<(PathBuf, File)> {
     static NEXT: AtomicU64 = AtomicU64::new(0);
+    let prefix = hidden_prefix(token());
     loop {
         let number = NEXT.fetch_add(1, Ordering::Relaxed);
-        let path = folder.join(format!(".motes-{}-{number}", std::process::id()));
+        let path = folder.join(format!("{prefix}{number}"));
         match OpenOptions::new().write(true).create_new(true).open(&path) {
-            // Left by a killed process that had our number: take the next name.
+            // Whoever has made it: take the next name.
             Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
             result => return result.map(|file| (path, file)),
         }
