@@ -4,7 +4,7 @@
 //! [`AtomicFile::commit`] renames it to its place, and dropping it without that removes it. A killed process leaves at
 //! most the hidden file, whose token ([`token`]) tells whose it was.
 
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File, OpenOptions, Permissions};
 use std::hash::{BuildHasher as _, RandomState};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -16,6 +16,9 @@ use super::OutputError;
 
 /// Bytes kept back before they are written to the file.
 const BUFFER_BYTES: usize = 1 << 16;
+
+/// Links in a row that are followed.
+const MOST_LINKS: usize = 40;
 
 /// A file being written. See the module's documentation.
 pub(crate) struct AtomicFile {
@@ -30,14 +33,18 @@ pub(crate) struct AtomicFile {
 struct Renaming {
     temporary_path: PathBuf,
     final_path: PathBuf,
+    /// Those of the file that is replaced.
+    permissions: Option<Permissions>,
 }
 
 impl AtomicFile {
     /// Starts a file that shall stand at `path`; folders that are missing above it are created.
     ///
-    /// A symbolic link is followed, and a device or pipe (`/dev/stdout`) is written as it is: renaming would replace it.
+    /// A symbolic link is followed, to where there is nothing yet, too, and a device or pipe (`/dev/stdout`) is written as
+    /// it is: renaming would replace it. A file that is replaced hands on its permissions, where that can be.
     pub(crate) fn create(path: &Path) -> Result<Self, OutputError> {
         let asked_path = path.to_owned();
+        let mut permissions = None;
         let final_path = match fs::metadata(path) {
             Ok(metadata) if metadata.is_dir() => {
                 return Err(OutputError::io(
@@ -47,6 +54,7 @@ impl AtomicFile {
                 ));
             }
             Ok(metadata) if metadata.is_file() => {
+                permissions = Some(metadata.permissions());
                 fs::canonicalize(path).map_err(|error| OutputError::io(path, "write", error))?
             }
             Ok(_) => {
@@ -61,7 +69,7 @@ impl AtomicFile {
                 });
             }
             // Not there yet, or out of reach: creating the hidden file will tell.
-            Err(_) => asked_path.clone(),
+            Err(_) => end_of_links(path)?,
         };
         let folder = parent_folder(&final_path);
         create_folder(folder)?;
@@ -73,6 +81,7 @@ impl AtomicFile {
             renaming: Some(Renaming {
                 temporary_path,
                 final_path,
+                permissions,
             }),
         })
     }
@@ -100,6 +109,10 @@ impl AtomicFile {
         // Closed before it is renamed: some systems do not rename an open file.
         drop(writer);
         if let Some(renaming) = &self.renaming {
+            if let Some(permissions) = renaming.permissions.clone() {
+                // Some file systems have none; the file is as good without.
+                let _ = fs::set_permissions(&renaming.temporary_path, permissions);
+            }
             fs::rename(&renaming.temporary_path, &renaming.final_path)
                 .map_err(|error| self.error(error))?;
         }
@@ -148,6 +161,22 @@ pub(crate) fn probe(path: &Path) -> Result<(), OutputError> {
 /// Creates a folder with all that are missing above it; no error where it exists.
 pub(crate) fn create_folder(folder: &Path) -> Result<(), OutputError> {
     fs::create_dir_all(folder).map_err(|error| OutputError::io(folder, "create the folder", error))
+}
+
+/// The place that links lead to from here, where there need not be anything; `path` itself if it is no link.
+fn end_of_links(path: &Path) -> Result<PathBuf, OutputError> {
+    let mut end = path.to_owned();
+    for _ in 0..MOST_LINKS {
+        match fs::read_link(&end) {
+            Ok(target) => end = parent_folder(&end).join(target),
+            Err(_) => return Ok(end),
+        }
+    }
+    Err(OutputError::usage(
+        path,
+        "links lead from here in a circle, or too far",
+        "give the name of a file",
+    ))
 }
 
 fn parent_folder(path: &Path) -> &Path {
