@@ -148,7 +148,12 @@ fn killed_animations_go_on_to_the_same_file() {
 
 /// Stops a run by a signal once a file is there, or after a moment; how it ended.
 #[cfg(unix)]
-fn stop(here: &Workshop, arguments: &[&str], signal: &str, watched: Option<&str>) -> Ended {
+pub(crate) fn stop(
+    here: &Workshop,
+    arguments: &[&str],
+    signal: &str,
+    watched: Option<&str>,
+) -> Ended {
     let mut run = start(here, arguments);
     let patience = if watched.is_some() { 2000 } else { 12 };
     for _ in 0..patience {
