@@ -11,7 +11,7 @@ use super::interrupt::Interrupt;
 use super::names::SceneName;
 use super::{CliError, note, print};
 use crate::bench::{self, BenchError, Budget, Progress, Record, Request, Target};
-use crate::output::write_whole;
+use crate::output::{probe, write_whole};
 use crate::scene::{Loader, Scene};
 use crate::simulation::AdapterChoice;
 
@@ -97,7 +97,10 @@ fn parse_seconds(text: &str) -> Result<f64, String> {
 pub(super) fn run(args: &BenchArgs) -> Result<u8, CliError> {
     let request = request(args)?;
     let targets = targets(&args.adapter)?;
-    let interrupt = Interrupt::listen()?;
+    for path in [&args.json, &args.csv, &args.html].into_iter().flatten() {
+        probe(path)?;
+    }
+    let interrupt = Interrupt::listen("this frame")?;
     let names: Vec<_> = targets.iter().map(Target::name).collect();
     note!("motes: measuring on {}", names.join(", "));
     let line = Line::new();
@@ -115,7 +118,9 @@ pub(super) fn run(args: &BenchArgs) -> Result<u8, CliError> {
         }
         Err(error) => return Err(error.into()),
     };
+    // First of all what cannot fail for want of room: it took long to measure.
     let texts: Vec<String> = records.iter().map(bench::table).collect();
+    let printed = print(&texts.join("\n"));
     if let Some(path) = &args.json {
         bench::write_records(path, &records)?;
         wrote(path, &many(records.len(), "record"));
@@ -125,7 +130,7 @@ pub(super) fn run(args: &BenchArgs) -> Result<u8, CliError> {
         None => Vec::new(),
     };
     reports(&records, &files, args.html.as_deref(), args.csv.as_deref())?;
-    print(&texts.join("\n"))?;
+    printed?;
     Ok(0)
 }
 
@@ -164,7 +169,7 @@ fn many(count: usize, what: &str) -> String {
     }
 }
 
-/// Refuses reports that cannot be written, before hours are spent on them.
+/// Refuses reports that cannot stand where they shall, before hours are spent on them.
 fn places(args: &BenchArgs, inputs: &[Input]) -> Result<(), CliError> {
     let outputs = Output::given([
         ("--json", &args.json),
@@ -226,6 +231,12 @@ fn request(args: &BenchArgs) -> Result<Request, CliError> {
 fn targets(choices: &str) -> Result<Vec<Target>, CliError> {
     let mut targets: Vec<Target> = Vec::new();
     for choice in choices.split(',') {
+        if choice.trim().is_empty() && choices.contains(',') {
+            return Err(CliError::usage(
+                format!("a name is missing beside a comma in `{choices}`"),
+                "put a comma between two adapters and nowhere else, e.g. --adapter llvmpipe,cpu",
+            ));
+        }
         let target = Target::open(&AdapterChoice::parse(choice))?;
         if targets.iter().any(|other| other.name() == target.name()) {
             return Err(CliError::usage(

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Command, CommandFactory};
 use clap_mangen::Man;
 
-use super::{Cli, CliError, print};
+use super::{Cli, CliError, note, print};
 use crate::output::write_whole;
 
 /// Arguments of `motes man`.
@@ -24,7 +24,7 @@ const EXIT_STATUS: &str = ".SH \"EXIT STATUS\"
 done
 .TP
 1
-it ran, and the answer is no: an adapter differs
+it ran, and the answer is no: an adapter differs (check), it got slower (compare)
 .TP
 2
 the input is at fault: the command line, a scene, an adapter that is not there
@@ -32,8 +32,8 @@ the input is at fault: the command line, a scene, an adapter that is not there
 3
 the machine is: a device is lost, a disk is full, memory is out
 .TP
-130, 143
-stopped by Ctrl\\-C, or by a signal to end
+129, 130, 143
+stopped: the terminal was closed, by Ctrl\\-C, or by a signal to end
 ";
 
 pub(super) fn run(args: &ManArgs) -> Result<u8, CliError> {
@@ -43,10 +43,13 @@ pub(super) fn run(args: &ManArgs) -> Result<u8, CliError> {
         print(&page(&program)?)?;
         return Ok(0);
     };
+    let mut count = 0;
     for command in program.get_subcommands().chain([&program]) {
         let path = folder.join(format!("{}.1", title(command)));
         write_whole(&path, page(command)?.as_bytes())?;
+        count += 1;
     }
+    note!("motes: wrote {}: {count} pages", folder.display());
     Ok(0)
 }
 

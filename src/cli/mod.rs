@@ -18,7 +18,8 @@ use std::collections::HashSet;
 use std::io::{IsTerminal, Write};
 use std::path::Path;
 
-use clap::{Parser, Subcommand};
+use clap::parser::ValueSource;
+use clap::{ArgMatches, CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 
 use crate::backend::BackendError;
@@ -214,9 +215,34 @@ pub(crate) fn refuse_folder(argument: &str, path: &Path) -> Result<(), CliError>
     ))
 }
 
+/// Reads a command line, its own name first.
+fn read<T>(arguments: impl IntoIterator<Item = T>) -> Result<Cli, clap::Error>
+where
+    T: Into<std::ffi::OsString> + Clone,
+{
+    let mut command = Cli::command();
+    let matches = command.try_get_matches_from_mut(arguments)?;
+    let given = matches.subcommand().map(|(_, given)| given);
+    // Whereas an empty variable of the environment is one that is not set.
+    let is_empty = |given: &ArgMatches, name: &str| {
+        let typed = given.try_get_one::<String>(name).ok().flatten();
+        typed.is_some_and(|it| it.trim().is_empty())
+            && given.value_source(name) == Some(ValueSource::CommandLine)
+    };
+    for name in ["adapter", "against"] {
+        if given.is_some_and(|given| is_empty(given, name)) {
+            let what =
+                format!("--{name} has no name; give auto, cpu, or part of an adapter's name");
+            return Err(command.error(clap::error::ErrorKind::InvalidValue, what));
+        }
+    }
+    Cli::from_arg_matches(&matches).map_err(|error| error.format(&mut command))
+}
+
 /// Runs the program with the process's arguments; the exit code.
 pub fn main() -> u8 {
-    let cli = match Cli::try_parse() {
+    interrupt::outlive_limits();
+    let cli = match read(std::env::args_os()) {
         Ok(cli) => cli,
         Err(e) => {
             // Help and version are no failures; a closed terminal cannot be told about.
@@ -251,7 +277,7 @@ pub fn main() -> u8 {
 /// # Errors
 /// The message that the program would print, with exit code 2; that of `--help` or `--version`, with 0.
 pub fn parse(arguments: &[&str]) -> Result<(), CliError> {
-    match Cli::try_parse_from(arguments) {
+    match read(arguments) {
         Ok(_) => Ok(()),
         Err(e) => Err(CliError {
             message: e.to_string(),

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::{CliError, print};
+use super::{CliError, note, print};
 use crate::bench::record_schema;
 use crate::output::write_whole;
 use crate::scene::schema::{json_schema, reference_page};
@@ -41,7 +41,10 @@ pub(super) fn run(args: &SchemaArgs) -> Result<u8, CliError> {
         }
     };
     match &args.output {
-        Some(path) => write_whole(path, text.as_bytes())?,
+        Some(path) => {
+            write_whole(path, text.as_bytes())?;
+            note!("motes: wrote {}", path.display());
+        }
         None => print(&text)?,
     }
     Ok(0)

@@ -8,7 +8,7 @@ use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use super::OutputError;
-use super::atomic::{AtomicFile, create_folder};
+use super::atomic::{AtomicFile, create_folder, hidden_prefix, token};
 
 /// Folders of one name that may stand beside each other.
 const MOST_OF_A_NAME: u32 = 10_000;
@@ -25,11 +25,11 @@ impl AtomicFolder {
     /// Folders that are missing above it are created.
     pub(crate) fn create(parent: &Path, name: &str) -> Result<Self, OutputError> {
         create_folder(parent)?;
-        let process = std::process::id();
+        let prefix = hidden_prefix(token());
         for number in 0..MOST_OF_A_NAME {
-            let hidden = parent.join(format!(".motes-{process}-{name}-{number}"));
+            let hidden = parent.join(format!("{prefix}{name}-{number}"));
             match fs::create_dir(&hidden) {
-                // Left by a killed process that had our number: take the next name.
+                // Another of ours: take the next name.
                 Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
                 Err(error) => return Err(OutputError::io(parent, "create a folder here", error)),
                 Ok(()) => {

@@ -36,7 +36,7 @@ mod sink;
 mod svg;
 mod target;
 
-pub(crate) use atomic::{AtomicFile, probe};
+pub(crate) use atomic::{AtomicFile, hidden_prefix, probe, token};
 pub(crate) use csv::quoted_field;
 pub use csv::{
     BoidCounts, FlameCounts, Measured, ParticleCounts, StatsRow, StatsWriter, SystemCounts,

@@ -1,7 +1,8 @@
 //! What `-o OUT` means, by its ending. Nothing here touches a file, but for a look whether there is a
-//! folder of that name.
+//! folder of that name, or something in its way.
 
 use std::ffi::OsStr;
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::pattern::{Named, has_conversion};
@@ -42,11 +43,18 @@ impl OutputTarget {
     /// of one frame.
     ///
     /// # Errors
-    /// The user's fault: nothing at all, an ending that Motes does not write, a pattern that is none.
+    /// The user's fault: nothing at all, `-`, an ending that Motes does not write, a pattern that is none, a folder where
+    /// something else stands.
     pub fn parse(out: &str) -> Result<Self, OutputError> {
         let usage = |problem: String, advice: &str| OutputError::usage(out, problem, advice);
         if out.is_empty() {
             return Err(usage("the output has no name".to_owned(), SUPPORTED));
+        }
+        if out == "-" {
+            return Err(usage(
+                "pictures do not go to standard output".to_owned(),
+                &format!("{SUPPORTED}; a folder of this name is `./-`"),
+            ));
         }
         let path = Path::new(out);
         let folder = path.parent().unwrap_or(Path::new(""));
@@ -171,6 +179,18 @@ impl OutputTarget {
                 "a frame number needs a file name that ends in .png or .exr",
                 format!("use {}.png", out.trim_end_matches(std::path::is_separator)),
             ));
+        }
+        // With a slash at its end a file would be none.
+        let there = out.trim_end_matches(std::path::is_separator);
+        let there = fs::metadata(there).ok().filter(|it| !it.is_dir());
+        if let Some(it) = there {
+            let what = if it.is_file() {
+                "a file"
+            } else {
+                "a device or a pipe"
+            };
+            let problem = format!("frames go to a folder of this name, and it is {what}");
+            return Err(OutputError::usage(out, problem, SUPPORTED));
         }
         Ok(Self::Folder(PathBuf::from(out)))
     }

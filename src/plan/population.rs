@@ -31,10 +31,11 @@ impl Population {
         }
     }
 
-    /// The populations that the scene has anybody of.
-    pub(crate) fn of_scene(scene: &Scene) -> Vec<Self> {
+    /// The populations of the scene that are dumped: those that it has anybody of, but for systems, whose records no
+    /// file has.
+    pub(crate) fn dumped_of(scene: &Scene) -> Vec<Self> {
         let has = |population: &Self| match population {
-            Self::Systems => scene.systems.iter().any(|system| system.parent.is_some()),
+            Self::Systems => false,
             Self::Particles => !scene.systems.is_empty(),
             Self::Boids => !scene.flocks.is_empty(),
             Self::Flames => !scene.fires.is_empty(),

@@ -128,11 +128,11 @@ pub(super) fn kind_in_words(kind: &Kind) -> String {
 
 fn kinds(variants: &[Variant]) -> String {
     let shapes = variants.iter().map(|variant| {
-        format!(
-            "{{ kind = \"{}\", {} }}",
-            variant.name,
-            keys(variant.fields)
-        )
+        let name = variant.name;
+        match variant.fields {
+            [] => format!("{{ kind = \"{name}\" }}"),
+            fields => format!("{{ kind = \"{name}\", {} }}", keys(fields)),
+        }
     });
     shapes.collect::<Vec<_>>().join(", ")
 }

@@ -223,9 +223,17 @@ impl<'a> Reader<'a> {
 
     /// The error of a key that is not written.
     pub(super) fn missing(&self, key: &str) -> SceneError {
+        self.missing_of(key, &[])
+    }
+
+    /// The error of a key that is not written, whose value is one of these names, if there are any.
+    pub(super) fn missing_of(&self, key: &str, names: &[String]) -> SceneError {
         let field = self.field(key);
         let what = format!("`{}` is missing", self.path_of(field.key));
-        let help = format!("add {}: {}", example(field), expected(field));
+        let mut help = format!("add {}: {}", example(field), expected(field));
+        if !names.is_empty() {
+            help += &format!("; there are {}", names.join(", "));
+        }
         self.node.at.error(what, help)
     }
 

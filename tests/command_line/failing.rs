@@ -93,6 +93,17 @@ fn a_full_disk_ends_the_run_and_leaves_the_earlier_frames_to_go_on_from() {
 }
 
 #[test]
+fn a_limit_of_files_is_an_error_and_leaves_nothing_half_written() {
+    let here = Workshop::new();
+    let run = "$MOTES render sparks.toml --adapter cpu --size 320x180 -o all --stats s.csv 2>&1";
+    let ended = Ended::of(Ok(shell(&here, &[], &format!("ulimit -f 4; {run}"))));
+    assert_eq!(ended.code, 3, "{}", ended.stdout);
+    assert!(ended.stdout.contains("make room"), "{}", ended.stdout);
+    let hidden = |name: &String| name.contains(".motes-");
+    assert!(!here.files().iter().any(hidden), "{:?}", here.files());
+}
+
+#[test]
 fn a_film_that_does_not_fit_on_the_disk_is_no_film() {
     let here = Workshop::new();
     let has_ffmpeg = Command::new("ffmpeg").arg("-version").output().is_ok();

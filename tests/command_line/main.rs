@@ -3,10 +3,13 @@
 //! that a machine without a Vulkan driver passes too.
 
 mod failing;
+mod families;
 mod meshes;
+mod outputs;
 mod readme;
 mod refused;
 mod render;
+mod reports;
 mod resume;
 mod streams;
 mod unwritable;

@@ -148,7 +148,12 @@ fn killed_animations_go_on_to_the_same_file() {
 
 /// Stops a run by a signal once a file is there, or after a moment; how it ended.
 #[cfg(unix)]
-fn stop(here: &Workshop, arguments: &[&str], signal: &str, watched: Option<&str>) -> Ended {
+pub(crate) fn stop(
+    here: &Workshop,
+    arguments: &[&str],
+    signal: &str,
+    watched: Option<&str>,
+) -> Ended {
     let mut run = start(here, arguments);
     let patience = if watched.is_some() { 2000 } else { 12 };
     for _ in 0..patience {
@@ -385,12 +390,31 @@ fn what_a_killed_run_left_goes_when_it_is_begun_anew() {
         std::thread::sleep(Duration::from_millis(5));
     }
     run.kill().expect("it is ours");
-    // As one that was killed while it wrote.
-    here.write(&format!("all/.motes-{}-7", run.id()), "half");
-    run.wait().expect("it has ended");
+    // It is over, and a zombie: its number is still its own.
+    let mut told = String::new();
+    let stderr = run.stderr.take().expect("it is a pipe");
+    std::io::Read::read_to_string(&mut { stderr }, &mut told).expect("the program writes UTF-8");
+    let journal = here.read("all/.frame-%04d.png.0-40.resume/journal");
+    let journal = String::from_utf8_lossy(&journal).into_owned();
+    let token = journal.lines().find_map(|line| line.strip_prefix("token "));
+    let token = token.unwrap_or_else(|| panic!("no token in {journal}"));
+    // As one that was killed while it wrote; and as one of another machine that writes.
+    here.write(&format!("all/.motes-{token}-7"), "half");
+    let others = [
+        format!("all/.motes-{}-7", run.id()),
+        "all/.motes-0123456789abcdef-7".to_owned(),
+    ];
+    for other in &others {
+        here.write(other, "half");
+    }
     let ended = here.run(&arguments);
+    run.wait().expect("it has ended");
     assert_eq!(ended.code, 0, "{}", ended.stderr);
-    assert!(files_of(&here) == whole(&["-o", "all"]));
+    let mut files = files_of(&here);
+    for other in &others {
+        assert!(files.remove(other).is_some(), "{other} is another's");
+    }
+    assert!(files == whole(&["-o", "all"]));
 }
 
 #[test]

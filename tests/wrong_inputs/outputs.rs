@@ -21,7 +21,7 @@ fn outputs_that_cannot_be_are_refused() {
         out("sparks.toml", &["does not write .toml", "`sparks.toml/`"]),
         out(
             "sparks.toml/",
-            &["sparks.toml/ is the scene", "path of its own"],
+            &["sparks.toml/: frames go to a folder", "it is a file"],
         ),
         out(
             "1s.mp",

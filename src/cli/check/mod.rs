@@ -13,7 +13,7 @@ use super::collisions::{self, Input, Output};
 use super::names::SceneName;
 use super::{CliError, note, print, progress_bar};
 use crate::check::{self, CompareOptions, Outcome, SavedFor, compare, default_frames, shrunk};
-use crate::output::write_whole;
+use crate::output::{probe, write_whole};
 use crate::plan::Plan;
 use crate::scene::{BUILTIN, Loader};
 use side::Side;
@@ -94,6 +94,9 @@ impl Report {
 
 pub(super) fn run(args: &CheckArgs) -> Result<u8, CliError> {
     let jobs = jobs(args)?;
+    for path in [&args.json, &args.junit].into_iter().flatten() {
+        probe(path)?;
+    }
     let (tested, against) = side::both(&args.adapter, &args.against)?;
     check_all(args, &jobs, tested, against)
 }

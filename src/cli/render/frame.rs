@@ -72,18 +72,21 @@ pub(super) fn rows_of(
     Ok(rows)
 }
 
-/// Dumps every population of the scene.
-pub(super) fn dump(simulation: &mut Simulation, dir: &Path, frame: u32) -> Result<(), CliError> {
-    let populations: Vec<Population> = simulation.plan().populations().collect();
+/// Dumps these populations of the scene.
+pub(super) fn dump(
+    simulation: &mut Simulation,
+    populations: &[Population],
+    dir: &Path,
+    frame: u32,
+) -> Result<(), CliError> {
     for population in populations {
-        if population == Population::Systems {
-            continue;
-        }
         let path = dump_path(dir, population.name(), frame);
         match population {
             Population::Boids => write_boids(&path, &simulation.boids()?)?,
             Population::Flames => write_flames(&path, &simulation.flames()?)?,
-            _ => write_particles(&path, &simulation.particles()?)?,
+            Population::Particles => write_particles(&path, &simulation.particles()?)?,
+            // No file has their records, and nobody asks for it.
+            Population::Systems => {}
         }
     }
     Ok(())

@@ -204,6 +204,7 @@ impl Job<'_> {
             layers,
             dumps,
             dump_dir,
+            populations,
             ..
         } = self.request;
         for (index, name) in layers.iter().enumerate() {
@@ -245,7 +246,7 @@ impl Job<'_> {
             Pictures::Done => {}
         }
         if dumps.contains(&frame) {
-            dump(simulation, dump_dir, frame)?;
+            dump(simulation, populations, dump_dir, frame)?;
         }
         let mut rows = Vec::new();
         if let Some(stats) = &mut self.stats {

@@ -69,7 +69,7 @@ pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
     if let Some(stats) = stats {
         refuse_folder("--stats", stats)?;
     }
-    let populations = Population::of_scene(&scene);
+    let populations = Population::dumped_of(&scene);
     let dumps = args.dump.iter();
     let dumps: Vec<PathBuf> = dumps
         .flat_map(|frame| dump_paths(&dump_dir, &populations, *frame))

@@ -43,13 +43,19 @@ pub(in crate::scene) fn parents(systems: &[System], spot: &Spot<'_>) -> Result<(
                 "a parent for each kind: systems at one place, if need be",
             );
         }
-        if levels(systems, system).is_none() {
-            let what = format!("leads to no root within {MOST_LEVELS} steps");
-            return refuse(
-                "parent",
-                what,
-                "a parent that does not descend from this one",
-            );
+        match lineage(systems, system) {
+            Lineage::Rooted => {}
+            Lineage::Cycle(names) => {
+                let what = format!("leads back to where it begins: {}", names.join(" -> "));
+                let help = "a parent that does not descend from this one";
+                return refuse("parent", what, help);
+            }
+            Lineage::Deep(levels) => {
+                let what = format!("puts it {levels} levels below its root, too deep");
+                return refuse("parent", what, &format!("at most {MOST_LEVELS} levels"));
+            }
+            // It is that of an ancestor that is named.
+            Lineage::Lost => {}
         }
         borne(system, &refuse)?;
     }
@@ -112,16 +118,37 @@ fn borne(system: &System, refuse: Refuse<'_>) -> Result<(), SceneError> {
     Ok(())
 }
 
-/// Steps from the system up to its root, if it has one within reach.
-fn levels(systems: &[System], system: &System) -> Option<usize> {
+/// Where the parents of a system lead.
+enum Lineage<'a> {
+    /// To a root that is near enough.
+    Rooted,
+    /// Round these systems, the first of which is the last, too.
+    Cycle(Vec<&'a str>),
+    /// To a root that is so many levels above it, more than may be.
+    Deep(usize),
+    /// To a name that is none.
+    Lost,
+}
+
+fn lineage<'a>(systems: &'a [System], system: &'a System) -> Lineage<'a> {
+    let mut names = vec![system.name.as_str()];
     let mut here = system;
-    for level in 0..=MOST_LEVELS {
-        let Some(parent) = &here.parent else {
-            return Some(level);
+    while let Some(parent) = &here.parent {
+        if let Some(at) = names.iter().position(|name| name == parent) {
+            names.drain(..at);
+            names.push(parent);
+            return Lineage::Cycle(names);
+        }
+        let Some(next) = systems.iter().find(|other| other.name == *parent) else {
+            return Lineage::Lost;
         };
-        here = systems.iter().find(|other| other.name == *parent)?;
+        names.push(parent);
+        here = next;
     }
-    None
+    match names.len() - 1 {
+        0..=MOST_LEVELS => Lineage::Rooted,
+        levels => Lineage::Deep(levels),
+    }
 }
 
 /// Where that key of a system stands, or the system if it is not written.

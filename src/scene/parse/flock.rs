@@ -82,6 +82,9 @@ fn edges(spot: &Spot<'_>) -> Result<Edges, SceneError> {
 /// A relation of the flock `own`.
 fn relation(own: usize, spot: &Spot<'_>, names: &[String]) -> Result<Relation, SceneError> {
     let (kind, table) = variant(spot)?;
+    if kind != "flock" && !table.has("other") {
+        return Err(table.missing_of("other", names));
+    }
     let other = table.may("other", |spot| {
         let name = text(spot)?;
         let found = names.iter().position(|other| *other == name);
@@ -108,13 +111,9 @@ fn relation(own: usize, spot: &Spot<'_>, names: &[String]) -> Result<Relation, S
             limit: table.must("limit", Quantity::read)?,
         },
     };
-    let other = match (other, kind) {
-        (Some(other), _) => other,
-        (None, RelationKind::Flock { .. }) => own,
-        (None, _) => return Err(table.missing("other")),
-    };
     Ok(Relation {
-        other,
+        // Only a flock's relation to itself need not say so.
+        other: other.unwrap_or(own),
         radius: table.may("radius", Quantity::read)?,
         kind,
     })

@@ -9,8 +9,8 @@ use std::path::PathBuf;
 pub(in crate::cli::render) struct Finished {
     /// By frame.
     frames: BTreeMap<u32, Done>,
-    /// Processes that worked on it.
-    pub(super) processes: Vec<u32>,
+    /// Tokens of the processes that worked on it, which their hidden files are named by.
+    pub(super) tokens: Vec<u64>,
 }
 
 /// What is known of a finished frame.
@@ -57,7 +57,9 @@ impl Finished {
                         finished.frames.insert(frame, done);
                     }
                 }
-                Some(("process", number)) => finished.processes.extend(number.parse::<u32>().ok()),
+                Some(("token", token)) => {
+                    finished.tokens.extend(u64::from_str_radix(token, 16).ok());
+                }
                 _ => {}
             }
         }

@@ -4,7 +4,8 @@
 //! when all files of the frame stand in their places; for animations, the frames themselves; and
 //! `state`, a snapshot, from time to time. It goes when the run is complete. A line that a killed
 //! process has not ended is not believed, nor one whose files have changed since. The journal is
-//! locked by whoever works on the run.
+//! locked by whoever works on the run, and has the token of each that did: by it the hidden files
+//! are known that a killed one has left.
 
 mod finished;
 
@@ -15,13 +16,15 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use crate::cli::CliError;
-use crate::output::{AtomicFile, OutputError, OutputTarget, Rgba8Image, read_png, write_png};
+use crate::output::{
+    AtomicFile, OutputError, OutputTarget, Rgba8Image, hidden_prefix, read_png, token, write_png,
+};
 use crate::simulation::Snapshot;
 use finished::files_as_they_are;
 pub(super) use finished::{Finished, digest_of};
 
 /// The first line of a journal.
-const FIRST_LINE: &str = "motes journal 1";
+const FIRST_LINE: &str = "motes journal 2";
 
 /// What a journal is called in its folder.
 const NAME: &str = "journal";
@@ -38,7 +41,7 @@ pub(super) struct Journal {
 
 /// Hidden files that killed processes of a run had begun to write.
 struct Leftovers {
-    processes: Vec<u32>,
+    prefixes: Vec<String>,
     folders: Vec<PathBuf>,
 }
 
@@ -99,7 +102,7 @@ impl Journal {
             }
         }
         journal.line(&format!("{FIRST_LINE}\nrender {identity:016x}"))?;
-        journal.line(&format!("process {}", std::process::id()))?;
+        journal.line(&format!("token {:016x}", token()))?;
         Ok(journal)
     }
 
@@ -142,7 +145,7 @@ impl Journal {
         journal.leftovers.sweep();
         // What a killed process has begun is cut off, or the next line would be joined to it.
         journal.cut_off(whole as u64)?;
-        journal.line(&format!("process {}", std::process::id()))?;
+        journal.line(&format!("token {:016x}", token()))?;
         Ok(Some((journal, finished)))
     }
 
@@ -234,30 +237,21 @@ impl Drop for Journal {
 }
 
 impl Leftovers {
-    /// Those of the run's processes that are over; this process has not written anything yet.
+    /// Those of the processes that worked on the run before, all over now: who works on it holds the
+    /// journal's lock.
     fn of(finished: &Finished, outputs: &[&Path], journal: &Path) -> Self {
-        // Numbers of processes are given again.
-        let is_over = |process: &u32| !Path::new("/proc").join(process.to_string()).exists();
+        let tokens = finished.tokens.iter().copied();
         let folders = outputs.iter().copied().chain([journal]);
-        let all = Self {
-            processes: finished.processes.clone(),
-            folders: folders.map(Path::to_owned).collect(),
-        };
-        let own = std::process::id();
-        if all.processes.contains(&own) {
-            all.sweep_of(&[own]);
-        }
         Self {
-            processes: all.processes.iter().copied().filter(is_over).collect(),
-            ..all
+            prefixes: tokens.map(hidden_prefix).collect(),
+            folders: folders.map(Path::to_owned).collect(),
         }
     }
 
     fn sweep(&self) {
-        self.sweep_of(&self.processes);
-    }
-
-    fn sweep_of(&self, processes: &[u32]) {
+        if self.prefixes.is_empty() {
+            return;
+        }
         for folder in &self.folders {
             let folder = match folder.as_os_str().is_empty() {
                 true => Path::new("."),
@@ -266,11 +260,11 @@ impl Leftovers {
             // A folder that cannot be read has nothing that could be removed.
             for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
                 let name = entry.file_name();
-                let is_theirs = |process: &u32| {
-                    let begun = format!(".motes-{process}-");
-                    name.to_str().is_some_and(|name| name.starts_with(&begun))
+                let is_theirs = |prefix: &String| {
+                    name.to_str()
+                        .is_some_and(|name| name.starts_with(prefix.as_str()))
                 };
-                if processes.iter().any(is_theirs) {
+                if self.prefixes.iter().any(is_theirs) {
                     // It is hidden and of no use; that it stays harms nothing.
                     let _ = fs::remove_file(entry.path());
                 }
