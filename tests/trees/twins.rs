@@ -8,11 +8,18 @@ use crate::common::{self, compare_run, frames_of, on_cpu, on_each_adapter, on_gp
 use crate::support::{CHILD, PARENT, scene};
 
 fn assert_twins(scene: &Scene, frames: u32) {
+    // Workgroups that no page is a multiple of, too.
+    for (page_bytes, workgroup_size) in [(64 << 10, 64), (1 << 20, 24)] {
+        assert_twins_in(scene, frames, page_bytes, workgroup_size);
+    }
+}
+
+fn assert_twins_in(scene: &Scene, frames: u32, page_bytes: u64, workgroup_size: u32) {
     let plan = Plan::new(scene, frames).expect("the scene can be planned");
     let frames = frames_of(&plan, frames);
     let options = GpuOptions {
-        page_bytes: 64 << 10,
-        workgroup_size: 64,
+        page_bytes,
+        workgroup_size,
         ..GpuOptions::default()
     };
     on_each_adapter(|name, device| {
