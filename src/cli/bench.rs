@@ -100,7 +100,7 @@ pub(super) fn run(args: &BenchArgs) -> Result<u8, CliError> {
     for path in [&args.json, &args.csv, &args.html].into_iter().flatten() {
         probe(path)?;
     }
-    let interrupt = Interrupt::listen("this frame")?;
+    let interrupt = Interrupt::listen()?;
     let names: Vec<_> = targets.iter().map(Target::name).collect();
     note!("motes: measuring on {}", names.join(", "));
     let line = Line::new();

@@ -31,16 +31,14 @@ pub(super) struct Interrupt {
 
 /// What has been asked.
 struct Asked {
-    /// The first signal; 0 for none.
+    /// The signal that came last; 0 for none.
     signal: Arc<AtomicUsize>,
     is_told: AtomicBool,
-    /// What the process ends after.
-    what: &'static str,
 }
 
 impl Interrupt {
-    /// Listens from now on; `what` is finished after the first signal, e.g. `this frame`.
-    pub(super) fn listen(what: &'static str) -> Result<Self, CliError> {
+    /// Listens from now on.
+    pub(super) fn listen() -> Result<Self, CliError> {
         let signal = Arc::new(AtomicUsize::new(0));
         let asked = Arc::new(AtomicBool::new(false));
         for &one in SIGNALS {
@@ -56,7 +54,6 @@ impl Interrupt {
         let asked = Arc::new(Asked {
             signal,
             is_told: AtomicBool::new(false),
-            what,
         });
         let watched = Arc::downgrade(&asked);
         // A handler of signals may not write. What it cannot tell, the next look at the code does.
@@ -92,8 +89,7 @@ impl Asked {
             } else {
                 ""
             };
-            let what = self.what;
-            note!("{begin}motes: stopping after {what}; again to stop at once");
+            note!("{begin}motes: stopping after this frame; again to stop at once");
         }
         Some(signal)
     }

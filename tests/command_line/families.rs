@@ -109,6 +109,16 @@ fn a_relation_that_wants_a_flock_is_told_which_there_are() {
 }
 
 #[test]
+fn kinds_without_keys_are_listed_without_a_comma() {
+    let here = Workshop::new();
+    let render = ["render", "predators", "--adapter", "cpu"];
+    let set = ["--set", "flock.boids.edges=3"];
+    let said = ["one of {", "{ kind = \"none\" }"];
+    let ended = refused(&here, &[&render[..], &set].concat(), 2, &said);
+    assert!(!ended.stderr.contains(",  }"), "{}", ended.stderr);
+}
+
+#[test]
 fn an_adapter_without_a_name_is_refused_unless_it_is_a_variable_that_is_not_set() {
     let here = Workshop::new();
     for (command, argument) in [("render", "--adapter"), ("check", "--against")] {

@@ -31,7 +31,11 @@ fn the_schema_goes_to_standard_output_or_to_a_file() {
         (&["schema", "-o", &file][..], json_schema()),
         (&["schema", "--markdown", "-o", &file], reference_page()),
     ] {
-        assert_eq!(printed(arguments), "");
+        let ended = run(arguments);
+        assert_eq!(ended.status.code(), Some(0), "{ended:?}");
+        assert!(ended.stdout.is_empty(), "{ended:?}");
+        let told = String::from_utf8(ended.stderr).expect("text");
+        assert_eq!(told, format!("motes: wrote {file}\n"));
         assert_eq!(std::fs::read_to_string(&path).ok(), Some(wanted));
     }
     let ended = run(&["schema", "-o", &folder.path().to_string_lossy()]);

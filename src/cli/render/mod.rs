@@ -38,7 +38,7 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
         target,
         ..
     } = &request;
-    let interrupt = Interrupt::listen("this frame")?;
+    let interrupt = Interrupt::listen()?;
     let mut simulation = Simulation::new(
         scene,
         &Options {
