@@ -36,7 +36,7 @@ fn assert_scans(plan: &Plan, frames: &[FrameInputs], options: &GpuOptions) {
             let mut alive: Vec<bool> = Vec::new();
             let mut lists = 0;
             for one in STAGE_KERNELS.iter().filter(|one| !one.stage.info().draws) {
-                gpu.run_kernel(one.kernel, inputs)
+                gpu.run_kernel(one, inputs)
                     .expect("the device runs every kernel");
                 match one.kernel {
                     "systems/offsets" => {

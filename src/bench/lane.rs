@@ -267,7 +267,7 @@ fn by_kernels(
     let all = STAGE_KERNELS.iter();
     let passes = all.filter(|of| stages.contains(&of.stage)).map(|of| {
         let begun = Instant::now();
-        gpu.run_kernel(of.kernel, inputs)?;
+        gpu.run_kernel(of, inputs)?;
         Ok(PassTime {
             name: of.kernel,
             part: part_of(of.stage.info().draws),

@@ -2,7 +2,7 @@
 //! a run, with a look at the buffers between one and the next.
 
 use super::GpuBackend;
-use super::commands::{STAGE_KERNELS, turning_with};
+use super::commands::{KernelUse, STAGE_KERNELS, turning_with};
 use super::device::GpuDevice;
 use super::dispatch::dispatch_for;
 use super::kernel::Kernel;
@@ -133,23 +133,24 @@ impl GpuDevice {
 }
 
 impl GpuBackend {
-    /// Runs one kernel's dispatches of one frame and waits for them. All kernels of
+    /// Runs one kernel's dispatches in one stage of one frame and waits for them. All of
     /// [`STAGE_KERNELS`] one after the other make the frame that stepping and drawing make; of those
     /// that take turns, all run with the last.
     ///
     /// # Errors
-    /// No stage has such a kernel, or the device fails.
-    pub fn run_kernel(&mut self, kernel: &str, inputs: &FrameInputs) -> Result<(), BackendError> {
-        let Some(found) = STAGE_KERNELS.iter().find(|other| other.kernel == kernel) else {
-            return Err(BackendError::Unsupported(format!(
-                "no stage has a kernel `{kernel}`"
-            )));
-        };
+    /// The device fails.
+    pub fn run_kernel(
+        &mut self,
+        kernel: &KernelUse,
+        inputs: &FrameInputs,
+    ) -> Result<(), BackendError> {
         self.stepped(|run| {
-            let together = turning_with(found);
-            let is_last = together.last().is_some_and(|last| last.kernel == kernel);
+            let together = turning_with(kernel);
+            let is_last = together
+                .last()
+                .is_some_and(|last| last.kernel == kernel.kernel);
             let wanted = |other: &str| is_last && together.iter().any(|one| one.kernel == other);
-            run.submit_kernels(&[found.stage], wanted, inputs)?;
+            run.submit_kernels(&[kernel.stage], wanted, inputs)?;
             run.gpu.wait()
         })
     }

@@ -202,7 +202,7 @@ pub(crate) static PROBES: &[ProbeKernel] = &[
         ("record(3u, w, i, 4u)", |r| record(r, 3, 4)),
         ("record(3u, w, i, 11u)", |r| record(r, 3, 11)),
         ("record(4u, w, i, 5u)", |r| record(r, 4, 5)),
-        ("record(4u, w, i, 7u)", |r| record(r, 4, 7)),
+        ("record(4u, w, i, 11u)", |r| record(r, 4, 11)),
         ("record(1u, w, i, 7u)", |r| record(r, 1, 7)),
         ("record(1u, w, i, 12u)", |r| record(r, 1, 12)),
         ("record(3u, w, i, 6u)", |r| record(r, 3, 6)),

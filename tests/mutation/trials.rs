@@ -189,7 +189,7 @@ fn frame_difference(
         if one.stage.info().draws && !draws {
             break;
         }
-        gpu.run_kernel(one.kernel, &told.inputs)?;
+        gpu.run_kernel(one, &told.inputs)?;
         let lists = match one.kernel {
             "systems/offsets" => Some((0, &told.after_offsets)),
             "scan/pages" => Some((told.after_offsets.len(), &told.after_pages)),
