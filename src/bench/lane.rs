@@ -120,13 +120,13 @@ impl Lane {
     /// Draws alone, again: what that took without making it dark and turning light into bytes.
     pub(super) fn splat_ms(&mut self, inputs: &FrameInputs) -> Result<f64, BackendError> {
         let is_splat = |name: &str| {
-            let of = STAGE_KERNELS.iter().find(|of| of.kernel == name);
-            of.is_some_and(|of| of.stage.info().name == "splat")
+            let mut uses = STAGE_KERNELS.iter().filter(|of| of.kernel == name);
+            uses.any(|of| of.stage == Stage::Splat)
         };
         match &mut self.backend {
             Bound::Cpu(cpu) => {
                 let begun = Instant::now();
-                cpu.run_stage(crate::plan::Stage::Splat, inputs)?;
+                cpu.run_stage(Stage::Splat, inputs)?;
                 Ok(ms_since(begun))
             }
             Bound::Gpu(gpu) if gpu.is_timed() => {
@@ -139,7 +139,7 @@ impl Lane {
             }
             Bound::Gpu(gpu) => {
                 let begun = Instant::now();
-                gpu.run_stage(crate::plan::Stage::Splat, inputs)?;
+                gpu.run_stage(Stage::Splat, inputs)?;
                 Ok(ms_since(begun))
             }
         }

@@ -110,9 +110,11 @@ fn one_adapter_makes_one_record_and_micro_alone_no_run() {
     let names: Vec<_> = records[0].micro.iter().map(|of| of.name.as_str()).collect();
     assert_eq!(names[0], "copy_kernel@300");
     assert!(names.contains(&"copy_kernel@400") && names.contains(&"splat_streaks@300"));
-    assert_eq!(
-        records[0].copy_kernel_gb_per_s,
-        records[0].micro[0].gb_per_s
+    // Of a copy of its own, out of caches.
+    assert!(
+        records[0]
+            .copy_kernel_gb_per_s
+            .is_some_and(|rate| rate > 0.0)
     );
 }
 
