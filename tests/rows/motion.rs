@@ -50,7 +50,8 @@ fn r2_stages_stand_in_the_order_of_the_paper() {
             let kernels = || named().filter(|kernel| *kernel != "draw/clear_light");
             let mut stages: Vec<&str> = kernels()
                 .map(|kernel| {
-                    let of = STAGE_KERNELS.iter().find(|of| of.kernel == kernel);
+                    // Those of planets, which there is none of, come first.
+                    let of = STAGE_KERNELS.iter().rfind(|of| of.kernel == kernel);
                     of.expect("a kernel of a stage").stage.info().name
                 })
                 .collect();
