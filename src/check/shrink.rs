@@ -91,7 +91,8 @@ pub fn shrunk(scene: &Scene, frames: u32) -> Result<Scene, PlanError> {
         // What systems ask for that are yet to be born has a bound far above it; the capacity says
         // more, and births by screen area fall with the picture.
         let likely = f64::from(capacity) * fit.min(1.0) * fit.min(1.0);
-        let small = small.with_births((f64::from(MOST_PARTICLES) / likely).min(1.0));
+        let mut small = small.with_births((f64::from(MOST_PARTICLES) / likely).min(1.0));
+        small.capacity = Some(capacity.min(MOST_PARTICLES));
         return Plan::new(&small, frames).map(|_| small);
     }
     let mut factor = 1.0f64;
