@@ -1,5 +1,6 @@
 //! A flock's part of a frame: its edges, its grid, and what it makes of others.
 
+use super::PlanError;
 use super::system::name_key;
 use crate::exact::snap;
 use crate::layout::{self, FlockFrame, SUM_STEPS};
@@ -29,6 +30,10 @@ const RADIUS_MARGIN: f32 = 1.001;
 /// Who sees no farther than this does not ask how far away a row is: differences of so small squares
 /// may be lost.
 const LEAST_TOLD_RADIUS: f64 = 1.0 / 64.0;
+
+/// Boids that are looked at in a frame, at most, while they are spread as they begin: an hour of one
+/// core, and more than a driver waits for.
+const MOST_LOOKS: f64 = 274_877_906_944.0;
 
 /// Where a flock's cells are.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -143,6 +148,40 @@ fn corners_of(edges: Edges) -> Option<Corners> {
         Edges::Wrap(corners) | Edges::Torus(corners) => Some(corners),
         Edges::Repel { corners, .. } | Edges::Constrain { corners, .. } => Some(corners),
     }
+}
+
+/// Whether a frame of the flocks comes to an end in bearable time.
+pub(super) fn check_looks(scene: &Scene) -> Result<(), PlanError> {
+    let looks: f64 = scene.flocks.iter().map(|flock| looks_of(scene, flock)).sum();
+    if looks <= MOST_LOOKS {
+        return Ok(());
+    }
+    let of = |flock: &&Flock| looks_of(scene, flock);
+    let costliest = scene.flocks.iter().max_by(|a, b| of(a).total_cmp(&of(b)));
+    let name = costliest.map_or("", |flock| flock.name.as_str());
+    Err(PlanError {
+        message: format!(
+            "boids, most of them of flock `{name}`, would look at {looks:.0} others in every frame"
+        ),
+        help: format!(
+            "at most {MOST_LOOKS}: a smaller `count` or `perception_radius`, or a larger `region`"
+        ),
+    })
+}
+
+/// About how many boids are looked at by those of a flock in its first frame.
+fn looks_of(scene: &Scene, flock: &Flock) -> f64 {
+    let seen = |tie: &crate::scene::Relation| -> f64 {
+        let other = &scene.flocks[tie.other];
+        let reach = 2.0 * f64::from(tie.radius.unwrap_or(flock.perception_radius));
+        let Corners { min, max } = flat(other, other.region);
+        let share = |axis: usize| {
+            let extent = f64::from(max[axis]) - f64::from(min[axis]);
+            if reach < extent { reach / extent } else { 1.0 }
+        };
+        f64::from(other.count) * share(0) * share(1) * share(2)
+    };
+    f64::from(flock.count) * flock.relations.iter().map(seen).sum::<f64>()
 }
 
 /// Grid cells of all flocks.

@@ -123,8 +123,9 @@ impl Plan {
     ///
     /// # Errors
     /// More particles than 10^9, or a bound too costly to find: the scene then has to name its
-    /// capacity. More than 4,096 bounds or 2,796,202 faces of meshes, or a run of more than 65,000 frames in which particles
-    /// live without limit.
+    /// capacity. More than 4,096 bounds or 2,796,202 faces of meshes, or a run of more than 65,000
+    /// frames in which particles live without limit. Boids that would look at more than 2^38 others
+    /// in a frame.
     pub fn new(scene: &Scene, frame_end: u32) -> Result<Self, PlanError> {
         Self::with_turns(scene, &[], frame_end)
     }
@@ -143,6 +144,9 @@ impl Plan {
         check_bounds(&scenes)?;
         tree::check_rings(scene)?;
         planet::check_planet(scene)?;
+        for scene in &scenes {
+            flock::check_looks(scene)?;
+        }
         let first_frame = bounds::first_frame(&scenes);
         let frame_end = frame_end.max(scene.frames);
         let lifetime_bound = bounds::lifetime_bound(&scenes, first_frame, frame_end)?;

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use motes::plan::Plan;
-use motes::scene::{Scene, parse};
+use motes::scene::{Fire, Scene, parse};
 use motes::simulation::{AdapterChoice, Options, Simulation, SimulationError};
 
 /// Systems of a scene that is stepped, at most, so that a frame takes milliseconds.
@@ -75,10 +75,19 @@ fn outcome(text: &str, number: u64) -> Outcome {
     }
 }
 
-/// Two frames from the first on, and two from `first` on, of a small picture and few particles.
+/// Two frames from the first on, and two from `first` on, of a small picture and few particles,
+/// boids and flames.
 fn step(mut scene: Scene, first: u32) {
     (scene.image.width, scene.image.height) = (48, 27);
     scene.capacity = Some(scene.capacity.unwrap_or(4000).min(4000));
+    let boids: u32 = scene.flocks.iter().map(|flock| flock.count).sum();
+    for flock in &mut scene.flocks {
+        flock.count = ((f64::from(flock.count) * 4000.0 / f64::from(boids.max(4000))) as u32).max(1);
+    }
+    let flames: u32 = scene.fires.iter().map(Fire::count).sum();
+    for fire in &mut scene.fires {
+        fire.roots.scale(400.0 / f64::from(flames.max(400)));
+    }
     let options = Options {
         adapter: AdapterChoice::Cpu,
         frame_end: first + 2,

@@ -190,5 +190,16 @@ fn too_much_of_anything_is_answered_with_how_much_there_may_be() {
             crowd,
             &["particles at once", "--> w.toml", "`capacity = N`"],
         ),
+        longer(
+            "[[flock]]\nname = \"crowd\"\ncount = 600_000\nperception_radius = 9\n\
+             region = { min = [0, 0, 0], max = [9, 9, 0] }\n\
+             [[flock.relation]]\nkind = \"flock\"\n",
+            &[
+                "`crowd`",
+                "360000000000 others in every frame",
+                "--> w.toml",
+                "at most 274877906944",
+            ],
+        ),
     ]);
 }
