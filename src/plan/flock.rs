@@ -152,7 +152,11 @@ fn corners_of(edges: Edges) -> Option<Corners> {
 
 /// Whether a frame of the flocks comes to an end in bearable time.
 pub(super) fn check_looks(scene: &Scene) -> Result<(), PlanError> {
-    let looks: f64 = scene.flocks.iter().map(|flock| looks_of(scene, flock)).sum();
+    let looks: f64 = scene
+        .flocks
+        .iter()
+        .map(|flock| looks_of(scene, flock))
+        .sum();
     if looks <= MOST_LOOKS {
         return Ok(());
     }

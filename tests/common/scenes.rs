@@ -513,6 +513,12 @@ pub(crate) fn covering() -> Scene {
                 "{over}size = {{ mean = 0.03, var = 0.03 }}\nparticle_shape = \"streak\"\nacceleration = [0.1, 0.2, 0]"
             ),
         ),
+        system(
+            "coins",
+            "-0.3, -0.4, 0.6",
+            50,
+            &format!("{over}size = {{ mean = 0.1, var = 0.05 }}\nejection_axis = \"outward\""),
+        ),
         system("sparks", "0, 0, 0", 40, "size = 0.03\nlight_distance = 5"),
     ];
     scene_of(&format!(

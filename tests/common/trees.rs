@@ -72,6 +72,14 @@ pub(crate) fn rich_tree() -> Scene {
     ))
 }
 
+/// The same with slots for few of the systems that are borne.
+pub(crate) fn crowded_tree() -> Scene {
+    Scene {
+        max_systems: Some(7),
+        ..rich_tree()
+    }
+}
+
 /// Rings of systems over a planet under a sun and a lamp, before stars, while the camera moves.
 pub(crate) fn lit_planet() -> Scene {
     scene_of(

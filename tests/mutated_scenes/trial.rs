@@ -82,7 +82,8 @@ fn step(mut scene: Scene, first: u32) {
     scene.capacity = Some(scene.capacity.unwrap_or(4000).min(4000));
     let boids: u32 = scene.flocks.iter().map(|flock| flock.count).sum();
     for flock in &mut scene.flocks {
-        flock.count = ((f64::from(flock.count) * 4000.0 / f64::from(boids.max(4000))) as u32).max(1);
+        flock.count =
+            ((f64::from(flock.count) * 4000.0 / f64::from(boids.max(4000))) as u32).max(1);
     }
     let flames: u32 = scene.fires.iter().map(Fire::count).sum();
     for fire in &mut scene.fires {

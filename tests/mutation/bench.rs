@@ -58,6 +58,16 @@ fn sites_in(kernel: &str, library: Option<&str>, off: &[&'static str]) -> Vec<Si
 }
 
 impl File {
+    /// The kernels of all these files, to be tried unchanged.
+    pub(crate) fn all_of(files: &[Self]) -> Self {
+        let kernels: BTreeSet<_> = files.iter().flat_map(|file| &file.kernels).collect();
+        Self {
+            name: "all",
+            library: None,
+            kernels: kernels.into_iter().copied().collect(),
+        }
+    }
+
     /// Changes of the file, each once, as they are in kernels that leave out nothing.
     pub(crate) fn sites(&self) -> Vec<Site> {
         let mut seen = BTreeSet::new();
@@ -73,10 +83,13 @@ pub(crate) struct Bench<'a> {
     runs: Vec<Option<Run>>,
     device: Option<GpuDevice>,
     changes: u32,
-    /// Changes of the file at hand in a kernel that is compiled without some switches: what is
-    /// switched off is folded away, and changes have other places.
-    places: HashMap<(&'static str, Vec<&'static str>), Vec<Site>>,
+    /// Changes of a file in a kernel that is compiled without some switches: what is switched off
+    /// is folded away, and changes have other places.
+    places: HashMap<Place, Vec<Site>>,
 }
+
+/// File, kernel, switches.
+type Place = (&'static str, &'static str, Vec<&'static str>);
 
 /// A run and the kernels of it that are changed.
 struct Run {
@@ -96,7 +109,7 @@ impl<'a> Bench<'a> {
     }
 
     /// How the first trial that sees the change (or no change but the bound on loops) sees it;
-    /// `None` where none does.
+    /// `None` where none does. Runs begun are kept for the next change, of whatever file.
     ///
     /// # Errors
     /// The change makes no valid kernel.
@@ -118,7 +131,7 @@ impl<'a> Bench<'a> {
             let off = trial.off(None);
             let mut kernels = Vec::new();
             for &kernel in file.kernels.iter().filter(|kernel| trial.runs(kernel)) {
-                let places = self.places.entry((kernel, off.clone()));
+                let places = self.places.entry((file.name, kernel, off.clone()));
                 let places =
                     places.or_insert_with(|| sites_in(kernel, file.library.as_deref(), &off));
                 let here = site.and_then(|site| places.iter().find(|one| one.key() == site.key()));
@@ -133,7 +146,7 @@ impl<'a> Bench<'a> {
                 backend: trial.backend(device),
                 changed: BTreeSet::new(),
             });
-            if let Some(difference) = run.difference(trial, &kernels)? {
+            if let Some(difference) = run.difference(trial, &kernels, site.is_some())? {
                 return Ok(Some(format!("{}: {difference}", trial.name)));
             }
         }
@@ -146,6 +159,7 @@ impl Run {
         &mut self,
         trial: &Trial,
         kernels: &[(&'static str, CompiledKernel)],
+        is_changed: bool,
     ) -> Result<Option<String>, ShaderError> {
         let names: BTreeSet<_> = kernels.iter().map(|(kernel, _)| *kernel).collect();
         let restored: Vec<_> = self
@@ -153,7 +167,7 @@ impl Run {
             .difference(&names)
             .map(|kernel| compile(kernel, trial, None))
             .collect::<Result<_, _>>()?;
-        self.changed = names;
+        self.changed = if is_changed { names } else { BTreeSet::new() };
         for kernel in restored.iter().chain(kernels.iter().map(|(_, it)| it)) {
             if let Err(e) = self.backend.restart(kernel, KernelForm::Spirv, true) {
                 return Ok(Some(format!("restart: {e}")));

@@ -290,6 +290,7 @@ pub(crate) fn trials() -> Vec<Trial> {
         ),
         Trial::new("covering", layered(turning(&covering(), 4)), 64, LARGE),
         Trial::new("tree", unchanging(&rich_tree(), 14), 24, LARGE),
+        Trial::new("dropped systems", unchanging(&crowded_tree(), 5), 64, LARGE),
         Trial::new("planet", unchanging(&lit_planet(), 7), 64, LARGE),
         Trial::new("flocks", layered(flocks(false)), 24, LARGE),
         Trial::new("crowded flocks", flocks(true), 64, LARGE),
