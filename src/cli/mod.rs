@@ -84,6 +84,14 @@ impl CliError {
         }
     }
 
+    /// The machine is at fault.
+    pub fn machine(what: impl std::fmt::Display, help: impl std::fmt::Display) -> Self {
+        Self {
+            code: 3,
+            ..Self::usage(what, help)
+        }
+    }
+
     /// A plan that cannot be, of that scene.
     fn of_plan(error: &PlanError, scene: &str) -> Self {
         let PlanError { message, help } = error;

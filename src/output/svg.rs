@@ -1,4 +1,4 @@
-//! One frame as a line drawing: an SVG with a line for each particle, as a vector display would
+//! One frame as a line drawing: an SVG with lines for all that lives, as a vector display would
 //! draw it (Reeves 1983, 4.2).
 
 use std::fmt::Write as _;
@@ -19,7 +19,7 @@ pub struct Drawing<'a> {
     pub background: [f32; 3],
     /// Factor of the lines' light.
     pub exposure: f32,
-    /// One a particle.
+    /// What lives, as [`Simulation::lines`](crate::Simulation::lines) gives it.
     pub lines: &'a [Line],
 }
 

@@ -1,14 +1,17 @@
-//! The living as line segments, for vector displays (Reeves 1983, 4.2).
+//! The living as line segments, for vector displays: particles as their ways (Reeves 1983, 4.2),
+//! flames as the trajectories of theirs (Perry 1994, 3.2), boids as triangles along their headings.
 
 use glam::Vec3;
 
 use crate::cpu::particle::row_index;
-use crate::cpu::projection::{Projected, project_closing};
+use crate::cpu::projection::{Projected, project, project_closing};
 use crate::cpu::sprite::sprite_of;
-use crate::layout::{Particle, SystemRow};
-use crate::plan::FrameInputs;
+use crate::exact::cross3;
+use crate::layout::{BOID_POINT, Boid, FLAME_STEPS, Flame, Frame, Particle, SystemRow};
+use crate::plan::{FrameInputs, Population};
 
-/// A particle's way while the shutter is open, as it is seen.
+/// A line segment as it is seen: a particle's way while the shutter is open, a step of a flame's
+/// particle, or a side of a boid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
     /// Where it begins: pixels from the left and from the top.
@@ -17,8 +20,10 @@ pub struct Line {
     pub to_px: [f32; 2],
     /// Light of a covered pixel in red, green, blue, before exposure.
     pub color: [f32; 3],
-    /// Index of its system in the scene.
-    pub system: u32,
+    /// What it is a line of.
+    pub population: Population,
+    /// Index in the scene of its system, fire or flock.
+    pub slot: u32,
 }
 
 /// The particle's line; `None` where an end of it is nearer than the camera sees.
@@ -35,14 +40,79 @@ pub(super) fn line_of(
     let shift = Vec3::from(particle.velocity()) * view.shutter;
     let start = sprite.start;
     let end = project_closing(view, system, position + shift);
-    let is_seen = |point: &Projected| point.depth >= view.near;
-    if !is_seen(&start) || !is_seen(&end) {
-        return None;
-    }
-    Some(Line {
+    let line = Line {
+        from_px: [0.0; 2],
+        to_px: [0.0; 2],
+        color: sprite.color.into(),
+        population: Population::Particles,
+        slot: particle.slot(),
+    };
+    between(view, line, start, end)
+}
+
+/// The line from one seen place to another; `None` where either is nearer than the camera sees.
+fn between(view: &Frame, line: Line, start: Projected, end: Projected) -> Option<Line> {
+    (start.depth >= view.near && end.depth >= view.near).then_some(Line {
         from_px: [start.x, start.y],
         to_px: [end.x, end.y],
-        color: sprite.color.into(),
-        system: particle.slot(),
+        ..line
     })
+}
+
+/// Lines along the steps of a burning flame's particle, coloured by age.
+pub(super) fn lines_of_flame<'a>(
+    flame: &Flame,
+    steps: &'a [[u32; 4]],
+    inputs: &'a FrameInputs,
+) -> impl Iterator<Item = Line> + 'a {
+    let view = &inputs.frame;
+    let slot = flame.fire();
+    let looks = &inputs.age_looks[(slot * FLAME_STEPS) as usize..];
+    let brightness = f32::from_bits(flame.look[2]);
+    let seen = move |[x, y, z, _]: &[u32; 4]| {
+        let place = [x, y, z].map(|bits| f32::from_bits(*bits));
+        project(view, place.into())
+    };
+    steps.windows(2).zip(looks).filter_map(move |(ends, look)| {
+        let [red, green, blue, opacity] = look.center;
+        let line = Line {
+            from_px: [0.0; 2],
+            to_px: [0.0; 2],
+            color: [red, green, blue].map(|channel| channel * opacity * brightness),
+            population: Population::Flames,
+            slot,
+        };
+        between(view, line, seen(&ends[0]), seen(&ends[1]))
+    })
+}
+
+/// The sides of a boid's triangle, whatever its shape is in pictures: one that has none shows where
+/// it heads, too.
+pub(super) fn lines_of_boid(boid: &Boid, inputs: &FrameInputs) -> impl Iterator<Item = Line> {
+    let view = inputs.frame;
+    let flock = &inputs.flocks[boid.flock() as usize];
+    let [red, green, blue, opacity] = flock.color;
+    let line = Line {
+        from_px: [0.0; 2],
+        to_px: [0.0; 2],
+        color: [red, green, blue].map(|channel| channel * opacity),
+        population: Population::Boids,
+        slot: boid.flock(),
+    };
+    let position = Vec3::from(boid.position());
+    let forward = Vec3::from(boid.velocity()).try_normalize().unwrap_or(Vec3::X);
+    let [x, y, z, _] = view.view_from_world_z;
+    let side = cross3(forward, Vec3::new(x, y, z)).normalize_or_zero();
+    let in_pixels = flock.ties[3] == BOID_POINT;
+    let scale = project(&view, position).scale;
+    let size = flock.cells_per_unit[3] / if in_pixels { scale } else { 1.0 };
+    let corners = [
+        position,
+        position + side * size,
+        position + side * (0.5 * size) + forward * (1.2 * size),
+    ]
+    .map(|corner| project(&view, corner));
+    [(0, 1), (1, 2), (2, 0)]
+        .into_iter()
+        .filter_map(move |(from, to)| between(&view, line, corners[from], corners[to]))
 }

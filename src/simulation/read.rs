@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use bytemuck::{Pod, Zeroable};
 
-use super::lines::line_of;
+use super::lines::{line_of, lines_of_boid, lines_of_flame};
 use super::{Line, Simulation, SimulationError};
 use crate::backend::BackendError;
 use crate::cpu::boid::boid_id;
@@ -229,8 +229,8 @@ impl Simulation {
         }
     }
 
-    /// The living as line segments, in storage order; without those that reach nearer than the
-    /// camera sees (Reeves 1983, 4.2).
+    /// The living as line segments, in storage order: particles (Reeves 1983, 4.2), then flames,
+    /// then boids; without those that reach nearer than the camera sees.
     ///
     /// # Errors
     /// The machine fails.
@@ -241,6 +241,23 @@ impl Simulation {
         self.for_each_particle(&words, &borne, |particle, inputs, rows| {
             lines.extend(line_of(particle, inputs, rows));
         });
+        let Some(inputs) = &self.inputs else {
+            return Ok(lines);
+        };
+        if !inputs.fires.is_empty() {
+            let (flames, steps) = (self.backend.read("flames")?, self.backend.read("flame_steps")?);
+            let flames: &[Flame] = bytemuck::cast_slice(&flames);
+            let steps: &[[u32; 4]] = bytemuck::cast_slice(&steps);
+            let each = flames.iter().zip(steps.chunks(FLAME_STEPS as usize));
+            for (flame, steps) in each.filter(|(flame, _)| flame.burns()) {
+                lines.extend(lines_of_flame(flame, steps, inputs));
+            }
+        }
+        if !inputs.flocks.is_empty() {
+            let words = self.backend.read("boids")?;
+            let boids: &[Boid] = bytemuck::cast_slice(&words);
+            lines.extend(boids.iter().flat_map(|boid| lines_of_boid(boid, inputs)));
+        }
         Ok(lines)
     }
 

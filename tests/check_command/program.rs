@@ -120,3 +120,18 @@ fn it_tells_what_of_the_input_is_at_fault() {
         assert!(output.stdout.is_empty(), "{arguments:?}");
     }
 }
+
+#[test]
+fn without_a_driver_there_is_nothing_to_check() {
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_motes"))
+        .args(["check", "fountain", "--frames", "2"])
+        .env("VK_DRIVER_FILES", "/nonexistent")
+        .env("VK_ICD_FILENAMES", "/nonexistent")
+        .env_remove("MOTES_ADAPTER")
+        .output()
+        .expect("it starts");
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(3), "{stderr}");
+    assert!(stderr.contains("mesa-vulkan-drivers"), "{stderr}");
+    assert!(output.stdout.is_empty());
+}

@@ -149,3 +149,75 @@ fn r79_a_line_drawing_has_a_line_of_half_the_velocity_for_each_of_the_living() {
         }
     });
 }
+
+/// Seen along z without perspective, a world unit is 90 pixels everywhere.
+const FLAT_VIEW: &str = "[image]\nwidth = 720\nheight = 360\n[camera]\nposition = [0, 0, 9]\n\
+     target = [0, 0, 0]\nprojection = \"orthographic\"\nview_height = 4\n";
+
+fn flat_px([x, y, _]: [f32; 3]) -> [f32; 2] {
+    [360.0 + 90.0 * x, 180.0 - 90.0 * y]
+}
+
+fn near(got: [f32; 2], expected: [f32; 2]) -> bool {
+    (0..2).all(|axis| (got[axis] - expected[axis]).abs() < 1e-3)
+}
+
+#[test]
+fn a_line_drawing_follows_the_particle_of_each_flame() {
+    let scene = crate::common::scene_of(&format!(
+        "{FLAT_VIEW}[[fire]]\nname = \"a\"\n[[fire.flame]]\nposition = [-1, 0.5, 0]\n\
+         [[fire.flame]]\nposition = [1, -0.5, 0]\n"
+    ));
+    crate::support::on_every_backend(|on| {
+        let options = Options {
+            adapter: AdapterChoice::parse(on),
+            ..Options::default()
+        };
+        let mut simulation = Simulation::new(&scene, &options).expect("it starts");
+        simulation.seek(5).expect("the backend steps");
+        let lines = simulation.lines().expect("the backend reads");
+        let means = simulation.flame_lights().expect("the backend reads");
+        // Of a particle with 25 places.
+        assert_eq!((lines.len(), means.len()), (48, 2));
+        for ((lines, mean), root) in lines.chunks(24).zip(means).zip([[-1.0, 0.5], [1.0, -0.5]]) {
+            assert!(near(lines[0].from_px, flat_px([root[0], root[1], 0.0])));
+            assert!(lines.windows(2).all(|two| two[0].to_px == two[1].from_px));
+            let ends = lines.iter().map(|line| line.to_px);
+            let sum = ends.fold(lines[0].from_px, |sum, end| [sum[0] + end[0], sum[1] + end[1]]);
+            assert!(near(sum.map(|sum| sum / 25.0), flat_px(mean)));
+            assert!(lines[0].to_px[1] < lines[0].from_px[1], "it rises");
+            assert!(lines[1].color[0] > lines[1].color[2], "it is warm");
+        }
+    });
+}
+
+#[test]
+fn a_line_drawing_has_a_triangle_along_the_heading_of_each_boid() {
+    let scene = crate::common::scene_of(&format!(
+        "{FLAT_VIEW}[[flock]]\nname = \"a\"\ncount = 30\nsize = 0.2\n\
+         region = {{ min = [-2, -1, 0], max = [2, 1, 0] }}\nstart_speed = 0.01\n"
+    ));
+    crate::support::on_every_backend(|on| {
+        let options = Options {
+            adapter: AdapterChoice::parse(on),
+            ..Options::default()
+        };
+        let mut simulation = Simulation::new(&scene, &options).expect("it starts");
+        simulation.seek(3).expect("the backend steps");
+        let lines = simulation.lines().expect("the backend reads");
+        let boids = simulation.boids().expect("the backend reads");
+        assert_eq!((lines.len(), boids.len()), (90, 30));
+        for (sides, boid) in lines.chunks(3).zip(boids) {
+            let [vx, vy, _] = boid.velocity;
+            let speed = vx.hypot(vy);
+            let place = flat_px(boid.position);
+            assert!(near(sides[0].from_px, place) && near(sides[2].to_px, place));
+            assert!((0..3).all(|at| sides[at].to_px == sides[(at + 1) % 3].from_px));
+            // From the middle of its base, of a fifth of a unit, to its tip.
+            let [x, y] = [0, 1].map(|axis| (sides[0].from_px[axis] + sides[0].to_px[axis]) / 2.0);
+            let tip = sides[1].to_px;
+            let ahead = 90.0 * 0.2 * 1.2 / speed;
+            assert!(near(tip, [x + ahead * vx, y - ahead * vy]), "{sides:?}");
+        }
+    });
+}

@@ -24,6 +24,16 @@ pub(super) enum Side {
 /// No such adapter, one that promises no bits, or nothing to compare.
 pub(super) fn both(tested: &str, against: &str) -> Result<(Side, Side), CliError> {
     let sides = (Side::open(tested)?, Side::open(against)?);
+    let asked_for_cpu = |choice| AdapterChoice::parse(choice) == AdapterChoice::Cpu;
+    if let (Side::Cpu, Side::Cpu) = sides
+        && !(asked_for_cpu(tested) && asked_for_cpu(against))
+    {
+        return Err(CliError::machine(
+            "no Vulkan driver is here to be checked",
+            "install one: lavapipe needs no graphics card (Debian: apt-get install \
+             mesa-vulkan-drivers)",
+        ));
+    }
     if let (Side::Cpu, Side::Cpu) = sides {
         return Err(CliError::usage(
             "the processor would be compared with itself",
