@@ -7,7 +7,9 @@ use super::spread::Clock;
 use super::target::Target;
 use crate::backend::{Backend, BackendError};
 use crate::cpu::CpuBackend;
-use crate::gpu::{GpuBackend, GpuOptions, Load, STAGE_KERNELS, Traffic, stage_traffic, traffic};
+use crate::gpu::{
+    GpuBackend, GpuOptions, Load, STAGE_KERNELS, Traffic, stage_traffic, stages_of, traffic,
+};
 use crate::layout::{COVERS_OF_BOIDS, COVERS_OF_PARTICLES, COVERS_SEEN, FrameStats};
 use crate::plan::{FrameInputs, Plan, STAGES, Stage};
 
@@ -119,10 +121,7 @@ impl Lane {
 
     /// Draws alone, again: what that took without making it dark and turning light into bytes.
     pub(super) fn splat_ms(&mut self, inputs: &FrameInputs) -> Result<f64, BackendError> {
-        let is_splat = |name: &str| {
-            let mut uses = STAGE_KERNELS.iter().filter(|of| of.kernel == name);
-            uses.any(|of| of.stage == Stage::Splat)
-        };
+        let is_splat = |name: &str| stages_of(name).any(|stage| stage == Stage::Splat);
         match &mut self.backend {
             Bound::Cpu(cpu) => {
                 let begun = Instant::now();
@@ -188,8 +187,7 @@ impl Lane {
 
     /// Whether a pass of that name is a command of the interface, no kernel.
     pub(super) fn is_command(&self, pass: &str) -> bool {
-        let is_kernel = || STAGE_KERNELS.iter().any(|of| of.kernel == pass);
-        matches!(self.backend, Bound::Gpu(_)) && !is_kernel()
+        matches!(self.backend, Bound::Gpu(_)) && stages_of(pass).next().is_none()
     }
 
     /// What a pass of that name works on.

@@ -3,6 +3,8 @@
 use super::error::BenchError;
 use super::lane::Lane;
 use super::target::Target;
+use crate::cpu::disc::reach_of;
+use crate::cpu::reach::edged_radius;
 use crate::plan::{FrameInputs, Plan};
 use crate::scene;
 
@@ -52,15 +54,14 @@ impl Shape {
     /// Pixels that one covers on average, wholly or in part: those whose centres are within half a
     /// pixel of it. Its edge of one pixel's width keeps its area, and it is at least a pixel wide.
     pub(super) fn covered_px(&self) -> f64 {
-        let reach = self.edged_radius_px() + 0.5;
+        let reach = f64::from(reach_of(self.radius_px));
         let length = f64::from(self.length_px);
         std::f64::consts::PI * reach * reach + 2.0 * reach * length
     }
 
     /// The radius whose edge of a pixel's width keeps the area.
     pub(super) fn edged_radius_px(&self) -> f64 {
-        let radius = f64::from(self.radius_px);
-        (radius * radius - 1.0 / 12.0).max(0.25).sqrt()
+        edged_radius(self.radius_px).into()
     }
 
     /// In words.

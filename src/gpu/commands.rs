@@ -351,12 +351,17 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
     },
 ];
 
+/// The stages that the kernel is dispatched in, in frame order; none if it is at hand for reading
+/// back or for clearing alone.
+pub fn stages_of(kernel: &str) -> impl Iterator<Item = Stage> + Clone {
+    let uses = STAGE_KERNELS.iter().filter(move |one| one.kernel == kernel);
+    uses.map(|one| one.stage)
+}
+
 /// Whether a run of the plan ever dispatches the kernel; those of no stage are always at hand.
 pub(super) fn is_used(kernel: &str, plan: &Plan) -> bool {
-    let mut uses = STAGE_KERNELS.iter().filter(|one| one.kernel == kernel);
-    let mut is_due = uses.clone().any(|one| plan.has(one.stage));
-    is_due |= uses.next().is_none();
-    is_due
+    let mut stages = stages_of(kernel);
+    stages.clone().next().is_none() || stages.any(|stage| plan.has(stage))
 }
 
 /// Pixels in a line that an invocation sums at a time: that of `wgsl/draw/glow.wgsl`.

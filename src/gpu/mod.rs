@@ -49,7 +49,7 @@ use tiling::Tiling;
 use timing::Timer;
 
 pub use adapter::{AdapterDescription, adapters, open};
-pub use commands::{GLOW_RUN, KernelUse, STAGE_KERNELS};
+pub use commands::{GLOW_RUN, KernelUse, STAGE_KERNELS, stages_of};
 pub use device::GpuDevice;
 pub use kernel::check_binding;
 pub use needs::{UnfitDevice, device_descriptor, required_features, required_limits};

@@ -2,7 +2,7 @@
 //! a run, with a look at the buffers between one and the next.
 
 use super::GpuBackend;
-use super::commands::{KernelUse, STAGE_KERNELS, turning_with};
+use super::commands::{KernelUse, stages_of, turning_with};
 use super::device::GpuDevice;
 use super::dispatch::dispatch_for;
 use super::kernel::Kernel;
@@ -134,7 +134,7 @@ impl GpuDevice {
 
 impl GpuBackend {
     /// Runs one kernel's dispatches in one stage of one frame and waits for them. All of
-    /// [`STAGE_KERNELS`] one after the other make the frame that stepping and drawing make; of those
+    /// [`STAGE_KERNELS`](super::STAGE_KERNELS) one after the other make the frame that stepping and drawing make; of those
     /// that take turns, all run with the last.
     ///
     /// # Errors
@@ -182,7 +182,7 @@ impl GpuBackend {
         match self.kernels.get_mut(changed.name.as_str()) {
             Some(place) => *place = kernel,
             // The plan does without it.
-            None if STAGE_KERNELS.iter().any(|one| one.kernel == changed.name) => {}
+            None if stages_of(&changed.name).next().is_some() => {}
             None => {
                 let found = format!("a run has no kernel `{}`", changed.name);
                 return Err(BackendError::Unsupported(found));

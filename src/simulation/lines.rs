@@ -100,7 +100,9 @@ pub(super) fn lines_of_boid(boid: &Boid, inputs: &FrameInputs) -> impl Iterator<
         slot: boid.flock(),
     };
     let position = Vec3::from(boid.position());
-    let forward = Vec3::from(boid.velocity()).try_normalize().unwrap_or(Vec3::X);
+    let forward = Vec3::from(boid.velocity())
+        .try_normalize()
+        .unwrap_or(Vec3::X);
     let [x, y, z, _] = view.view_from_world_z;
     let side = cross3(forward, Vec3::new(x, y, z)).normalize_or_zero();
     let in_pixels = flock.ties[3] == BOID_POINT;

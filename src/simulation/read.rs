@@ -245,7 +245,10 @@ impl Simulation {
             return Ok(lines);
         };
         if !inputs.fires.is_empty() {
-            let (flames, steps) = (self.backend.read("flames")?, self.backend.read("flame_steps")?);
+            let (flames, steps) = (
+                self.backend.read("flames")?,
+                self.backend.read("flame_steps")?,
+            );
             let flames: &[Flame] = bytemuck::cast_slice(&flames);
             let steps: &[[u32; 4]] = bytemuck::cast_slice(&steps);
             let each = flames.iter().zip(steps.chunks(FLAME_STEPS as usize));

@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use motes::backend::Backend;
 use motes::gpu::shader::{self, Access, CompileOptions};
-use motes::gpu::{GpuBackend, GpuDevice, GpuOptions, STAGE_KERNELS};
+use motes::gpu::{GpuBackend, GpuDevice, GpuOptions, STAGE_KERNELS, stages_of};
 use motes::layout::Counts;
 use motes::plan::{FrameInputs, Plan, STAGES};
 use motes::scene::Scene;
@@ -94,9 +94,8 @@ impl Trial {
 
     /// Whether its plan has any use for the kernel.
     pub(crate) fn runs(&self, kernel: &str) -> bool {
-        let mut uses = STAGE_KERNELS.iter().filter(|one| one.kernel == kernel);
-        let is_due = uses.clone().any(|one| self.plan.has(one.stage));
-        is_due || uses.next().is_none()
+        let mut stages = stages_of(kernel);
+        stages.clone().next().is_none() || stages.any(|stage| self.plan.has(stage))
     }
 
     /// Invocations a workgroup.

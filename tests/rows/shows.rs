@@ -183,7 +183,9 @@ fn a_line_drawing_follows_the_particle_of_each_flame() {
             assert!(near(lines[0].from_px, flat_px([root[0], root[1], 0.0])));
             assert!(lines.windows(2).all(|two| two[0].to_px == two[1].from_px));
             let ends = lines.iter().map(|line| line.to_px);
-            let sum = ends.fold(lines[0].from_px, |sum, end| [sum[0] + end[0], sum[1] + end[1]]);
+            let sum = ends.fold(lines[0].from_px, |sum, end| {
+                [sum[0] + end[0], sum[1] + end[1]]
+            });
             assert!(near(sum.map(|sum| sum / 25.0), flat_px(mean)));
             assert!(lines[0].to_px[1] < lines[0].from_px[1], "it rises");
             assert!(lines[1].color[0] > lines[1].color[2], "it is warm");
