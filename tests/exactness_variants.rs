@@ -3,6 +3,8 @@
 
 mod common;
 
+use std::collections::HashSet;
+
 use motes::backend::Backend;
 use motes::check::{CompareOptions, compare, default_frames, shrunk};
 use motes::cpu::CpuBackend;
@@ -230,9 +232,12 @@ fn a_run_that_begins_late_is_the_whole_run() {
 /// Frames of each scene in the bounded run: the whole one sees all deaths, too.
 const FEW_FRAMES: u32 = 30;
 
+/// In the bounded run, adapters after the first leave out scenes whose kernels they have had.
 #[test]
 fn every_built_in_scene_passes_check_on_every_adapter() {
+    let first = common::adapters().swap_remove(0);
     common::on_each_adapter(|adapter, device| {
+        let mut met = HashSet::new();
         for builtin in BUILTIN {
             let scene = load(builtin.name).expect("it is built in");
             let frames = if common::full() {
@@ -245,6 +250,10 @@ fn every_built_in_scene_passes_check_on_every_adapter() {
                 false => shrunk(&scene, frames).expect("it can be planned"),
             };
             let plan = Plan::new(&scene, frames).expect("it can be planned");
+            let is_new = met.insert(plan.uses.switches());
+            if !is_new && adapter != first && !common::full() {
+                continue;
+            }
             let outcome = compare(
                 &plan,
                 &mut || Ok(Box::new(common::on_cpu(&plan))),

@@ -17,10 +17,16 @@ mod printed;
 mod sites;
 mod trials;
 
+use std::sync::Mutex;
+use std::thread::ScopedJoinHandle;
+
 use common::*;
 use motes::gpu::KernelForm;
 use motes::gpu::shader::{CompileOptions, ShaderError};
 use sites::Site;
+
+/// Files whose changes are tried at the same time, each on a device of its own.
+const WORKERS: usize = 2;
 
 /// Changes tried of each file, unless all are.
 const SAMPLE: usize = 12;
@@ -159,12 +165,26 @@ fn every_change_of_a_kernel_is_seen() {
     // Unchanged but for the bound on loops, none is seen to differ.
     let unchanged = bench.difference(&bench::File::all_of(&files), None);
     assert_eq!(unchanged.expect("the kernels compile"), None, "unchanged");
-    let mut tallies = Vec::new();
+    drop(bench);
     files.retain(|file| full() || !OWED.contains(&file.name));
-    for file in files {
-        let mut differs = |site: &Site| bench.difference(&file, Some(site));
-        tallies.push(try_all(file.name, &file.sites(), &mut differs));
-    }
+    let files = Mutex::new(files.into_iter());
+    let next = || files.lock().expect("nobody panics with it").next();
+    let try_some = || {
+        let mut bench = bench::Bench::new(&trials);
+        let mut tallies = Vec::new();
+        while let Some(file) = next() {
+            let mut differs = |site: &Site| bench.difference(&file, Some(site));
+            tallies.push(try_all(file.name, &file.sites(), &mut differs));
+        }
+        tallies
+    };
+    // What takes time is compiling, one kernel after the other.
+    let mut tallies: Vec<Tally> = std::thread::scope(|scope| {
+        let workers: Vec<_> = (0..WORKERS).map(|_| scope.spawn(try_some)).collect();
+        let of = |worker: ScopedJoinHandle<'_, _>| worker.join().expect("it ends");
+        workers.into_iter().flat_map(of).collect()
+    });
+    tallies.sort_by(|a, b| a.file.cmp(&b.file));
     report(&tallies);
 }
 
