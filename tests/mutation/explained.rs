@@ -48,6 +48,7 @@ static EXPLAINED: &[Explanation] = &[
     ("lib/reach", "is_visible: ? = less() -> omitted", "looks at more of what is outside and covers nothing"),
     ("lib/footprint", "square_weight_at: shape.reach -> member minor_reach", "a square's sides are the axes: the two are the same"),
     ("lib/footprint", "footprint_of: shape.gain = 1.0f -> omitted", "a square's, whose weights need none; others get theirs later"),
+    ("lib/sort", "runs_of: 511u -> 510u in (count + 511u)", "a run less only of as many as one more than a multiple of 512, and then of one key"),
     ("lib/footprint", "footprint_of: Abs(start.y) -> not Abs", "a margin for the rounding of places more than 16,384 pixels above the picture: a chance of rounding has to fall together with it to be seen"),
     ("lib/footprint", "footprint_of: 1.0f -> 2.0f", "a square's gain, whose weights need none"),
     ("lib/footprint", "footprint_of: 1.0f -> -1.0f", "a square's gain, whose weights need none"),
