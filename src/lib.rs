@@ -127,6 +127,8 @@ pub mod rng;
 pub mod scene;
 pub mod simulation;
 pub mod transcendental;
+#[cfg(feature = "view")]
+pub mod view;
 
 pub use simulation::{AdapterChoice, Options, Simulation, SimulationError};
 /// The graphics interface, in the version whose devices Motes runs on.

@@ -13,6 +13,8 @@ mod render;
 mod report;
 mod scenes;
 mod schema;
+#[cfg(feature = "view")]
+mod view;
 
 use std::collections::HashSet;
 use std::io::{IsTerminal, Write};
@@ -46,6 +48,9 @@ struct Cli {
 enum Command {
     /// Simulate a scene and draw it into pictures or an animation
     Render(render::RenderArgs),
+    /// Play with a scene in a window: look around, turn its knobs, save what you made
+    #[cfg(feature = "view")]
+    View(view::ViewArgs),
     /// Compare an adapter with the processor, bit for bit
     Check(check::CheckArgs),
     /// Measure what each pass of a frame costs on an adapter
@@ -261,6 +266,8 @@ pub fn main() -> u8 {
     let result = match cli.command {
         Command::Render(args) => render::run(args),
         Command::Check(args) => check::run(&args),
+        #[cfg(feature = "view")]
+        Command::View(args) => view::run(&args),
         Command::Bench(args) => bench::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Report(args) => report::run(&args),

@@ -30,7 +30,7 @@ pub use uses::Uses;
 
 use std::sync::Arc;
 
-use crate::scene::{Blend, Fire, Scene, Track};
+use crate::scene::{Blend, Camera, Fire, Owner, Scene, Track};
 
 /// Why a scene cannot become a plan: it is the scene's fault, and the message says what to change.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -265,6 +265,15 @@ impl Plan {
     pub fn inputs(&self, frame: u32) -> FrameInputs {
         let frame = frame.cast_signed();
         inputs::frame_inputs(self, self.scene_at(frame), frame)
+    }
+
+    /// [`Plan::inputs`], seen by another camera, which does not move.
+    pub(crate) fn inputs_seen_by(&self, frame: u32, camera: &Camera) -> FrameInputs {
+        let frame = frame.cast_signed();
+        let mut scene = self.scene_at(frame).clone();
+        scene.tracks.retain(|track| track.owner != Owner::Camera);
+        scene.camera = camera.clone();
+        inputs::frame_inputs(self, &scene, frame)
     }
 
     /// How many boids each flock has.

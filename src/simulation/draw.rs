@@ -4,6 +4,7 @@ use std::any::Any;
 
 use super::{Simulation, SimulationError};
 use crate::gpu::{GpuBackend, ParticleBuffers, TextureError};
+use crate::scene::Camera;
 
 impl Simulation {
     /// Draws the last frame stepped.
@@ -16,6 +17,32 @@ impl Simulation {
             self.drawn = Some(inputs.frame);
         }
         Ok(())
+    }
+
+    /// Draws the last frame stepped as another camera sees it. The run does not change by it, even
+    /// where births go by the area that they are seen on.
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn draw_seen_by(&mut self, camera: &Camera) -> Result<(), SimulationError> {
+        if let Some(frame) = self.frame() {
+            let inputs = self.plan.inputs_seen_by(frame, camera);
+            self.backend.draw(&inputs)?;
+            self.drawn = Some(inputs.frame);
+        }
+        Ok(())
+    }
+
+    /// Milliseconds that each kernel took since the last call, in order; none unless the run is on a
+    /// device and timed ([`crate::gpu::GpuOptions::timed`]).
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn take_kernel_times(&mut self) -> Result<Vec<(&'static str, f64)>, SimulationError> {
+        let Some(run) = self.device_run() else {
+            return Ok(Vec::new());
+        };
+        Ok(run.take_times()?.into_iter().flatten().collect())
     }
 
     /// Draws the last frame stepped into level 0 of the caller's texture: the bytes of

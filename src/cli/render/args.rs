@@ -115,7 +115,7 @@ fn parse_frames(text: &str) -> Result<Range<u32>, String> {
     Ok(start..end)
 }
 
-fn parse_size(text: &str) -> Result<(u32, u32), String> {
+pub(in crate::cli) fn parse_size(text: &str) -> Result<(u32, u32), String> {
     let expected = "a size is WxH in pixels, e.g. 1280x720";
     let (width, height) = text.split_once(['x', 'X', '×']).ok_or(expected)?;
     let side = |text: &str| text.trim().parse().map_err(|_| expected.to_owned());

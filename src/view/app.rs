@@ -1,0 +1,347 @@
+//! What the window shows: the picture, the run's transport, its counts and times, and a widget for
+//! every knob, made from the scene's schema alone.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use egui::{Color32, RichText, Ui};
+
+use super::knobs::{Turned, knob};
+use super::orbit::Orbit;
+use super::session::{Session, Told};
+
+/// Frames between two counts of what lives: they wait for the device.
+const COUNT_STEPS: u32 = 15;
+
+/// The window's state.
+pub struct App {
+    /// What is played with.
+    pub session: Session,
+    /// What went wrong last, until something goes right; or what was done.
+    pub message: Option<(Told, bool)>,
+    /// The picture's texture; none where it could not be made.
+    pub picture: Option<egui::TextureId>,
+    /// Whether the picture is older than what it is to show.
+    pub is_stale: bool,
+    filter: String,
+    save_path: String,
+    counts: String,
+    counted_at: Option<u32>,
+    adapter: String,
+}
+
+impl App {
+    /// Shows this session.
+    pub fn new(mut session: Session) -> Self {
+        let adapter = session.simulation().adapter_name();
+        let save_path = format!("{}-mine.toml", session.scene().name);
+        Self {
+            session,
+            message: None,
+            picture: None,
+            is_stale: true,
+            filter: String::new(),
+            save_path,
+            counts: String::new(),
+            counted_at: None,
+            adapter,
+        }
+    }
+
+    /// Lets time pass; what has to be drawn anew is drawn by who has the texture.
+    pub fn pass(&mut self, passed: Duration) {
+        match self.session.advance(passed) {
+            Ok(stepped) => self.is_stale |= stepped,
+            Err(told) => {
+                self.session.playing = false;
+                self.message = Some((told, true));
+            }
+        }
+        self.count();
+    }
+
+    /// Notes the outcome of something that was asked for.
+    fn did<T>(&mut self, outcome: Result<T, Told>, done: impl FnOnce(T) -> Option<String>) {
+        self.is_stale = true;
+        self.message = match outcome {
+            Ok(value) => done(value).map(|text| (text, false)),
+            Err(told) => Some((told, true)),
+        };
+    }
+
+    fn count(&mut self) {
+        let frame = self.session.frame();
+        let is_due = self
+            .counted_at
+            .is_none_or(|at| frame < at || frame >= at + COUNT_STEPS);
+        if !is_due && self.session.playing || self.counted_at == Some(frame) {
+            return;
+        }
+        self.counted_at = Some(frame);
+        let simulation = self.session.simulation();
+        let plan = simulation.plan();
+        let (boids, flames) = (plan.boid_count, plan.flame_count);
+        let Ok(lines) = simulation.take_statistics() else {
+            return;
+        };
+        let Some(last) = lines.last() else {
+            return;
+        };
+        let some = |count: u32, name: &str| (count > 0).then(|| format!("{count} {name}"));
+        let parts = [
+            Some(format!("{} particles", last.live)),
+            some(boids, "boids"),
+            some(flames, "flames"),
+        ];
+        self.counts = parts.into_iter().flatten().collect::<Vec<_>>().join(", ");
+    }
+
+    /// One pass of the whole window.
+    pub fn ui(&mut self, ui: &mut Ui) {
+        self.keys(ui);
+        egui::Panel::bottom("transport").show(ui, |ui| self.transport(ui));
+        egui::Panel::left("knobs")
+            .default_size(330.0)
+            .show(ui, |ui| self.side(ui));
+        egui::CentralPanel::default()
+            .frame(egui::Frame::NONE.fill(Color32::BLACK))
+            .show(ui, |ui| self.picture(ui));
+    }
+
+    fn keys(&mut self, ui: &Ui) {
+        if ui.ctx().egui_wants_keyboard_input() {
+            return;
+        }
+        let (space, right, home, undo) = ui.input(|input| {
+            let pressed = |key| input.key_pressed(key);
+            (
+                pressed(egui::Key::Space),
+                pressed(egui::Key::ArrowRight),
+                pressed(egui::Key::Home),
+                input.modifiers.command && pressed(egui::Key::Z),
+            )
+        });
+        if space {
+            self.session.playing = !self.session.playing;
+        }
+        if right {
+            self.step();
+        }
+        if home {
+            self.restart(0);
+        }
+        if undo {
+            self.undo();
+        }
+    }
+
+    fn step(&mut self) {
+        self.session.playing = false;
+        let outcome = self.session.step();
+        self.did(outcome, |()| None);
+    }
+
+    fn restart(&mut self, frame: u32) {
+        let outcome = self.session.restart(frame);
+        self.counted_at = None;
+        self.did(outcome, |()| None);
+    }
+
+    fn undo(&mut self) {
+        let outcome = self.session.undo();
+        self.did(outcome, |some| {
+            (!some).then(|| "nothing was turned".to_owned())
+        });
+    }
+
+    fn transport(&mut self, ui: &mut Ui) {
+        ui.add_space(4.0);
+        ui.horizontal(|ui| {
+            let word = if self.session.playing {
+                "Pause"
+            } else {
+                "Play"
+            };
+            if ui.button(word).on_hover_text("space").clicked() {
+                self.session.playing = !self.session.playing;
+            }
+            if ui.button("Step").on_hover_text("arrow right").clicked() {
+                self.step();
+            }
+            if ui.button("Restart").on_hover_text("home").clicked() {
+                self.restart(0);
+            }
+            let mut frame = self.session.frame();
+            let slot = egui::DragValue::new(&mut frame).prefix("frame ");
+            if ui.add(slot).lost_focus() && frame != self.session.frame() {
+                self.restart(frame);
+            }
+            let speed = egui::Slider::new(&mut self.session.speed, 0.1..=4.0);
+            ui.add(speed.logarithmic(true).text("speed"));
+            let mut seed = self.session.scene().seed;
+            if ui
+                .add(egui::DragValue::new(&mut seed).prefix("seed "))
+                .lost_focus()
+                && seed != self.session.scene().seed
+            {
+                let outcome = self.session.reseed(seed);
+                self.counted_at = None;
+                self.did(outcome, |()| None);
+            }
+            if ui
+                .button("Own view")
+                .on_hover_text("the scene's camera")
+                .clicked()
+            {
+                self.session.orbit = Orbit::STILL;
+                self.is_stale = true;
+            }
+        });
+        if let Some((text, is_error)) = &self.message {
+            let color = if *is_error {
+                Color32::LIGHT_RED
+            } else {
+                Color32::LIGHT_GREEN
+            };
+            ui.label(RichText::new(text).monospace().color(color));
+        }
+        ui.add_space(4.0);
+    }
+
+    fn side(&mut self, ui: &mut Ui) {
+        ui.heading(self.session.scene().title.clone());
+        ui.label(RichText::new(&self.adapter).weak());
+        ui.label(&self.counts);
+        self.plot(ui);
+        ui.horizontal(|ui| {
+            if ui.button("Undo").on_hover_text("ctrl-z").clicked() {
+                self.undo();
+            }
+            ui.text_edit_singleline(&mut self.save_path);
+            if ui.button("Save as").clicked() {
+                let outcome = self.session.save_as(&PathBuf::from(&self.save_path));
+                let path = self.save_path.clone();
+                self.did(outcome, |inputs| {
+                    Some(format!("wrote {path} and {}", inputs.display()))
+                });
+            }
+        });
+        ui.horizontal(|ui| {
+            ui.label("find");
+            ui.text_edit_singleline(&mut self.filter);
+        });
+        ui.separator();
+        egui::ScrollArea::vertical().show(ui, |ui| self.knobs(ui));
+    }
+
+    fn knobs(&mut self, ui: &mut Ui) {
+        let mut turned: Option<Turned> = None;
+        let all = self.session.knobs();
+        let mut first = 0;
+        while first < all.len() {
+            let group = group_of(&all[first].path);
+            let count = all[first..]
+                .iter()
+                .take_while(|it| group_of(&it.path) == group)
+                .count();
+            let own = &all[first..first + count];
+            let shown: Vec<_> = own
+                .iter()
+                .filter(|it| it.path.contains(&self.filter))
+                .collect();
+            first += count;
+            if shown.is_empty() {
+                continue;
+            }
+            let title = if group.is_empty() { "scene" } else { group };
+            egui::CollapsingHeader::new(title)
+                .id_salt(group)
+                .open((!self.filter.is_empty()).then_some(true))
+                .show(ui, |ui| {
+                    for one in shown {
+                        let label = one.path[group.len()..].trim_start_matches('.');
+                        if let Some(by_hand) = knob(ui, one, label) {
+                            turned = Some(by_hand);
+                        }
+                    }
+                });
+        }
+        match turned {
+            Some(Turned::To(path, value)) => {
+                let outcome = self.session.turn(&path, &value);
+                self.did(outcome, |()| None);
+            }
+            Some(Turned::Back(path)) => {
+                let outcome = self.session.reset(&path);
+                self.did(outcome, |()| None);
+            }
+            None => {}
+        }
+    }
+
+    /// Times of the last frames as bars, and the slowest kernels of the last one.
+    fn plot(&self, ui: &mut Ui) {
+        let history = &self.session.history;
+        let size = egui::vec2(ui.available_width(), 36.0);
+        let (area, _) = ui.allocate_exact_size(size, egui::Sense::hover());
+        let painter = ui.painter_at(area);
+        painter.rect_filled(area, 2.0, Color32::from_gray(24));
+        let most = history.iter().copied().fold(1.0, f32::max);
+        for (at, ms) in history.iter().rev().enumerate() {
+            let x = area.right() - 1.5 * at as f32;
+            let top = area.bottom() - area.height() * ms / most;
+            painter.line_segment(
+                [egui::pos2(x, area.bottom()), egui::pos2(x, top)],
+                egui::Stroke::new(1.0, Color32::from_rgb(255, 150, 60)),
+            );
+        }
+        let last = history.last().copied().unwrap_or(0.0);
+        ui.label(format!("{last:.1} ms a frame, {most:.1} at most"));
+        let mut kernels = self.session.times.clone();
+        kernels.sort_by(|a, b| b.1.total_cmp(&a.1));
+        for (name, ms) in kernels.iter().take(4) {
+            ui.label(
+                RichText::new(format!("{ms:7.2} ms  {name}"))
+                    .monospace()
+                    .small(),
+            );
+        }
+    }
+
+    fn picture(&mut self, ui: &mut Ui) {
+        let Some(picture) = self.picture else {
+            return;
+        };
+        let image = &self.session.scene().image;
+        let (width, height) = (image.width as f32, image.height as f32);
+        let room = ui.available_size();
+        let scale = (room.x / width).min(room.y / height).max(0.01);
+        let size = egui::vec2(width, height) * scale;
+        let shown = egui::Image::new((picture, size)).sense(egui::Sense::click_and_drag());
+        let response = ui.centered_and_justified(|ui| ui.add(shown)).inner;
+        let before = self.session.orbit;
+        let moved = response.drag_delta() / size.y;
+        let aside = response.dragged_by(egui::PointerButton::Middle)
+            || ui.input(|input| input.modifiers.shift);
+        match aside {
+            true => self.session.orbit.shift(moved.x, -moved.y),
+            false => self.session.orbit.turn(moved.x, moved.y),
+        }
+        if response.hovered() {
+            let notches = ui.input(|input| input.smooth_scroll_delta().y) / 50.0;
+            self.session.orbit.zoom(notches);
+        }
+        self.is_stale |= before != self.session.orbit;
+    }
+}
+
+/// The part of a path that names what it is a key of: a table, and the table in an array.
+fn group_of(path: &str) -> &str {
+    let mut dots = path.match_indices('.').map(|(at, _)| at);
+    match path.split('.').next() {
+        Some("system" | "flock" | "fire" | "wind" | "layer" | "lamp") => {
+            dots.nth(1).map_or(path, |end| &path[..end])
+        }
+        _ => dots.next().map_or("", |end| &path[..end]),
+    }
+}

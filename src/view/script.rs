@@ -1,0 +1,266 @@
+//! A script in place of a person: what is done at which pass of the window, without a window. For
+//! tests, and for pictures of it.
+//!
+//! A line is `PASS ACTION …`, passes in order; `#` begins a comment. A pass lasts as long as a frame
+//! of the scene.
+//!
+//! ```text
+//! 0 turn system.jet.drag=0.1    a knob, as --set has it
+//! 5 move 700 300                the pointer, in points from the window's corner
+//! 5 press                       the pointer's button, and its release
+//! 6 move 800 300
+//! 6 release
+//! 9 wheel 2                     notches away from oneself
+//! 9 key Space
+//! 20 undo
+//! 30 shot window.png            the window after this pass
+//! 40 save mine.toml             the scene, and what was done beside it
+//! 50 end                        else the script ends with its last line
+//! ```
+
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use super::app::App;
+use super::session::Told;
+use super::stage::Stage;
+use crate::output::{Rgba8Image, write_png};
+
+/// One thing that is done.
+#[derive(Clone, Debug, PartialEq)]
+enum Action {
+    Turn(String, String),
+    Move(f32, f32),
+    Press,
+    Release,
+    Wheel(f32),
+    Key(egui::Key),
+    Undo,
+    Shot(PathBuf),
+    Save(PathBuf),
+    End,
+}
+
+/// What is done, pass by pass.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Script {
+    actions: Vec<(u32, Action)>,
+}
+
+/// What is wrong with a script's text: what, and in which line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ScriptError(pub String);
+
+impl std::fmt::Display for ScriptError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(
+            f,
+            "error: {}\n  = help: a line is `PASS ACTION`: turn PATH=VALUE, move X Y, press, release, \
+             wheel NOTCHES, key NAME, undo, shot FILE.png, save FILE.toml or end; passes in order; `#` \
+             begins a comment",
+            self.0
+        )
+    }
+}
+
+impl std::error::Error for ScriptError {}
+
+impl Script {
+    /// Reads a script; `file` is for messages.
+    ///
+    /// # Errors
+    /// A line that is none, or passes out of order.
+    pub fn parse(text: &str, file: &str) -> Result<Self, ScriptError> {
+        let mut actions: Vec<(u32, Action)> = Vec::new();
+        for (number, line) in (1..).zip(text.lines()) {
+            let line = line.split('#').next().unwrap_or_default().trim();
+            if line.is_empty() {
+                continue;
+            }
+            let wrong = |what: &str| ScriptError(format!("{file}:{number}: {what}: `{line}`"));
+            let (pass, rest) = line.split_once(' ').ok_or_else(|| wrong("no action"))?;
+            let pass: u32 = pass.parse().map_err(|_| wrong("no pass"))?;
+            if actions.last().is_some_and(|(last, _)| pass < *last) {
+                return Err(wrong("an earlier pass than the line before"));
+            }
+            let action = action(rest.trim()).ok_or_else(|| wrong("no action"))?;
+            actions.push((pass, action));
+        }
+        Ok(Self { actions })
+    }
+
+    /// One past the last pass.
+    fn end(&self) -> u32 {
+        self.actions.last().map_or(0, |(pass, _)| pass + 1)
+    }
+}
+
+fn action(text: &str) -> Option<Action> {
+    let (word, rest) = text.split_once(' ').unwrap_or((text, ""));
+    let rest = rest.trim();
+    let number = |text: &str| text.parse::<f32>().ok().filter(|it| it.is_finite());
+    let file = |ending: &str| rest.ends_with(ending).then(|| PathBuf::from(rest));
+    match word {
+        "turn" => {
+            let (path, value) = rest.split_once('=')?;
+            Some(Action::Turn(
+                path.trim().to_owned(),
+                value.trim().to_owned(),
+            ))
+        }
+        "move" => {
+            let (x, y) = rest.split_once(' ')?;
+            Some(Action::Move(number(x)?, number(y.trim())?))
+        }
+        "wheel" => Some(Action::Wheel(number(rest)?)),
+        "key" => egui::Key::from_name(rest).map(Action::Key),
+        "shot" => file(".png").map(Action::Shot),
+        "save" => file(".toml").map(Action::Save),
+        _ if !rest.is_empty() => None,
+        "press" => Some(Action::Press),
+        "release" => Some(Action::Release),
+        "undo" => Some(Action::Undo),
+        "end" => Some(Action::End),
+        _ => None,
+    }
+}
+
+/// Plays the script on the device that the scene runs on, in a window of that size that nobody sees.
+///
+/// # Errors
+/// What was done does not work, or the machine fails; the first such thing ends it.
+pub fn play(
+    app: &mut App,
+    script: &Script,
+    (device, queue): (wgpu::Device, wgpu::Queue),
+    size_px: [u32; 2],
+) -> Result<(), Told> {
+    let format = wgpu::TextureFormat::Rgba8Unorm;
+    let [width, height] = size_px;
+    let target = device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("window"),
+        size: wgpu::Extent3d {
+            width,
+            height,
+            depth_or_array_layers: 1,
+        },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+        view_formats: &[],
+    });
+    let view = target.create_view(&Default::default());
+    let mut stage = Stage::new(device, queue, format);
+    let ctx = egui::Context::default();
+    let frame = Duration::from_secs_f64(1.0 / f64::from(app.session.scene().frame_rate));
+    let mut pointer = egui::Pos2::ZERO;
+    for pass in 0..script.end() {
+        let now = script.actions.iter().filter(|(at, _)| *at == pass);
+        let mut events = Vec::new();
+        let mut after = Vec::new();
+        for (_, action) in now {
+            match action {
+                Action::Turn(path, value) => app.session.turn(path, value)?,
+                Action::Undo => drop(app.session.undo()?),
+                Action::Move(x, y) => {
+                    pointer = egui::pos2(*x, *y);
+                    events.push(egui::Event::PointerMoved(pointer));
+                }
+                Action::Press | Action::Release => events.push(egui::Event::PointerButton {
+                    pos: pointer,
+                    button: egui::PointerButton::Primary,
+                    pressed: *action == Action::Press,
+                    modifiers: egui::Modifiers::NONE,
+                }),
+                Action::Wheel(notches) => events.push(egui::Event::MouseWheel {
+                    unit: egui::MouseWheelUnit::Point,
+                    delta: egui::vec2(0.0, 50.0 * notches),
+                    phase: egui::TouchPhase::Move,
+                    source: egui::MouseWheelSource::Wheel,
+                    modifiers: egui::Modifiers::NONE,
+                }),
+                Action::Key(key) => events.extend([true, false].map(|pressed| egui::Event::Key {
+                    key: *key,
+                    physical_key: None,
+                    pressed,
+                    repeat: false,
+                    modifiers: egui::Modifiers::NONE,
+                })),
+                Action::Shot(_) | Action::Save(_) | Action::End => after.push(action),
+            }
+        }
+        app.pass(frame);
+        let size = egui::vec2(width as f32, height as f32);
+        let input = egui::RawInput {
+            screen_rect: Some(egui::Rect::from_min_size(egui::Pos2::ZERO, size)),
+            time: Some(f64::from(pass) * frame.as_secs_f64()),
+            events,
+            focused: true,
+            ..Default::default()
+        };
+        stage.refresh(app);
+        let mut output = ctx.run_ui(input, |ui| app.ui(ui));
+        stage.take_textures(&mut output);
+        stage.refresh(app);
+        stage.paint(&ctx, output, &view, size_px);
+        for action in after {
+            match action {
+                Action::Shot(path) => shoot(&stage, &target, path)?,
+                Action::Save(path) => drop(app.session.save_as(path)?),
+                _ => return Ok(()),
+            }
+        }
+        if let Some((told, true)) = &app.message {
+            return Err(told.clone());
+        }
+    }
+    Ok(())
+}
+
+/// Writes what the window shows.
+fn shoot(stage: &Stage, target: &wgpu::Texture, path: &Path) -> Result<(), Told> {
+    let (width, height) = (target.width(), target.height());
+    // Rows of copies are whole multiples of 256 bytes.
+    let stride = (width * 4).next_multiple_of(256);
+    let buffer = stage.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("shot"),
+        size: u64::from(stride) * u64::from(height),
+        usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+        mapped_at_creation: false,
+    });
+    let mut encoder = stage.device.create_command_encoder(&Default::default());
+    let into = wgpu::TexelCopyBufferInfo {
+        buffer: &buffer,
+        layout: wgpu::TexelCopyBufferLayout {
+            offset: 0,
+            bytes_per_row: Some(stride),
+            rows_per_image: None,
+        },
+    };
+    encoder.copy_texture_to_buffer(target.as_image_copy(), into, target.size());
+    stage.queue.submit([encoder.finish()]);
+    buffer.map_async(wgpu::MapMode::Read, .., |_| {});
+    let waited = stage.device.poll(wgpu::PollType::wait_indefinitely());
+    waited.map_err(|error| error.to_string())?;
+    let rows = buffer.slice(..).get_mapped_range();
+    let rows = rows.map_err(|error| error.to_string())?.to_vec();
+    let own = (width * 4) as usize;
+    let mut pixels: Vec<u8> = rows
+        .chunks(stride as usize)
+        .flat_map(|row| row[..own].iter().copied())
+        .collect();
+    // What is behind the window is not to be seen through it.
+    pixels
+        .iter_mut()
+        .skip(3)
+        .step_by(4)
+        .for_each(|alpha| *alpha = 255);
+    let image = Rgba8Image {
+        width,
+        height,
+        pixels,
+    };
+    write_png(path, &image).map_err(|error| error.to_string())
+}

@@ -1,0 +1,403 @@
+//! A scene that somebody plays with: it runs, its knobs turn, and all that is done is recorded, so
+//! that it can be done again bit for bit (Perry 1994, 1.2: interactive control).
+
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use super::orbit::Orbit;
+use crate::gpu::{GpuDevice, GpuOptions};
+use crate::output::write_whole;
+use crate::recording::{Change, Recording};
+use crate::scene::{Knob, KnobValue, Loader, Scene};
+use crate::simulation::{AdapterChoice, Options, Simulation, SimulationError};
+
+/// What to play with, and on what.
+#[derive(Clone, Debug)]
+pub struct Source {
+    /// Name of a built-in scene, or path.
+    pub scene: String,
+    /// Changes made to it before it begins, as `--set` has them.
+    pub sets: Vec<String>,
+    /// How it is loaded.
+    pub loader: Loader,
+    /// Where it runs.
+    pub device: GpuDevice,
+    /// Whether the device was opened with a clock.
+    pub is_timed: bool,
+}
+
+/// What went wrong, for the window: a few lines.
+pub type Told = String;
+
+/// A scene under way.
+pub struct Session {
+    source: Source,
+    simulation: Simulation,
+    scene: Scene,
+    /// What can be turned, as it is now.
+    knobs: Vec<Knob>,
+    recording: Recording,
+    undone: Vec<Undo>,
+    /// Whether frames follow each other by themselves.
+    pub playing: bool,
+    /// Frames a second over those that the scene asks for.
+    pub speed: f32,
+    /// How it is looked at.
+    pub orbit: Orbit,
+    /// Time that steps are owed for.
+    owed: Duration,
+    /// What the last frame took, kernel by kernel, milliseconds; whole frames where there is no
+    /// clock.
+    pub times: Vec<(&'static str, f64)>,
+    /// Frame times, the last 240, milliseconds.
+    pub history: Vec<f32>,
+}
+
+/// How a knob stood before it was turned.
+struct Undo {
+    path: String,
+    before: KnobValue,
+}
+
+impl Session {
+    /// Begins the scene at its first frame that is seen.
+    ///
+    /// # Errors
+    /// The scene, or the machine.
+    pub fn new(source: Source) -> Result<Self, Told> {
+        let scene = source.load(&[])?;
+        let knobs = source
+            .loader
+            .knobs(&source.scene)
+            .map_err(|e| e.to_string())?;
+        let recording = Recording::default();
+        let simulation = source.begin(&scene, &recording, 0)?;
+        let mut session = Self {
+            orbit: Orbit::STILL,
+            playing: true,
+            speed: 1.0,
+            owed: Duration::ZERO,
+            times: Vec::new(),
+            history: Vec::new(),
+            undone: Vec::new(),
+            source,
+            simulation,
+            scene,
+            knobs,
+            recording,
+        };
+        session.apply_sets();
+        Ok(session)
+    }
+
+    /// Shows what `--set` has changed.
+    fn apply_sets(&mut self) {
+        let sets = self.source.sets.clone();
+        for (path, value) in sets.iter().filter_map(|set| set.split_once('=')) {
+            self.note_value(path, KnobValue::Written(value.to_owned()));
+        }
+    }
+
+    fn note_value(&mut self, path: &str, value: KnobValue) {
+        if let Some(knob) = self.knobs.iter_mut().find(|knob| knob.path == path) {
+            knob.value = value;
+        }
+    }
+
+    /// The scene as it is now.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// What can be turned, as it is now.
+    pub fn knobs(&self) -> &[Knob] {
+        &self.knobs
+    }
+
+    /// What has been done.
+    pub fn recording(&self) -> &Recording {
+        &self.recording
+    }
+
+    /// The simulation, for who draws or counts.
+    pub fn simulation(&mut self) -> &mut Simulation {
+        &mut self.simulation
+    }
+
+    /// The last frame that has been stepped.
+    pub fn frame(&self) -> u32 {
+        self.simulation.frame().unwrap_or(0)
+    }
+
+    /// Steps as many frames as are due after this time, at most one: what is too slow for its frame
+    /// rate shows every frame, later. Whether any was.
+    ///
+    /// # Errors
+    /// The machine.
+    pub fn advance(&mut self, passed: Duration) -> Result<bool, Told> {
+        if !self.playing {
+            return Ok(false);
+        }
+        let frame =
+            Duration::from_secs_f32(1.0 / (self.scene.frame_rate as f32 * self.speed.max(0.01)));
+        self.owed = (self.owed + passed).min(frame * 2);
+        if self.owed < frame {
+            return Ok(false);
+        }
+        self.owed -= frame;
+        self.step()?;
+        Ok(true)
+    }
+
+    /// Steps one frame.
+    ///
+    /// # Errors
+    /// The machine.
+    pub fn step(&mut self) -> Result<(), Told> {
+        let begun = Instant::now();
+        self.simulation.step().map_err(told)?;
+        self.take_times(begun);
+        Ok(())
+    }
+
+    fn take_times(&mut self, begun: Instant) {
+        let kernels = self.simulation.take_kernel_times().unwrap_or_default();
+        if !kernels.is_empty() {
+            self.times = kernels;
+        }
+        self.history.push(begun.elapsed().as_secs_f32() * 1000.0);
+        let surplus = self.history.len().saturating_sub(240);
+        self.history.drain(..surplus);
+    }
+
+    /// Turns a knob from the next frame on.
+    ///
+    /// # Errors
+    /// The scene does not take the value, or it holds for a whole run.
+    pub fn turn(&mut self, path: &str, value: &str) -> Result<(), Told> {
+        let before = self.knobs.iter().find(|knob| knob.path == path);
+        let before = before.map_or(KnobValue::None, |knob| knob.value.clone());
+        self.change(path, value)?;
+        match self.undone.last() {
+            // A knob that is held is undone in one go.
+            Some(last) if last.path == path && self.frame() > 0 && self.is_held(path) => {}
+            _ => self.undone.push(Undo {
+                path: path.to_owned(),
+                before,
+            }),
+        }
+        Ok(())
+    }
+
+    /// Whether the change before the last was of the same knob, a frame ago at most.
+    fn is_held(&self, path: &str) -> bool {
+        let of = |change: &&Change| change.set.split('=').next() == Some(path);
+        let mut own = self.recording.changes.iter().rev().filter(of);
+        match (own.next(), own.next()) {
+            (Some(last), Some(before)) => last.frame - before.frame <= 1,
+            _ => false,
+        }
+    }
+
+    fn change(&mut self, path: &str, value: &str) -> Result<(), Told> {
+        let set = format!("{path}={value}");
+        let frame = self.simulation.frame().map_or(0, |frame| frame + 1);
+        let mut changes = self.recording.changes.clone();
+        // Of several changes of a knob in a frame, the last holds.
+        changes
+            .retain(|change| change.frame != frame || change.set.split('=').next() != Some(path));
+        let sets: Vec<String> = changes.iter().map(|change| change.set.clone()).collect();
+        let scene = self.source.load(&[sets, vec![set.clone()]].concat())?;
+        self.simulation.turn(scene.clone()).map_err(told)?;
+        changes.push(Change {
+            frame,
+            set,
+            line: 0,
+        });
+        self.recording.changes = changes;
+        self.scene = scene;
+        self.note_value(path, KnobValue::Written(value.to_owned()));
+        Ok(())
+    }
+
+    /// Puts the knob that was turned last back to what it was, from the next frame on; whether there
+    /// was one.
+    ///
+    /// # Errors
+    /// It had no value before: no value brings that back.
+    pub fn undo(&mut self) -> Result<bool, Told> {
+        let Some(Undo { path, before }) = self.undone.pop() else {
+            return Ok(false);
+        };
+        match before {
+            KnobValue::Written(value) | KnobValue::Default(value) => self.change(&path, &value)?,
+            KnobValue::None => return Err(format!("`{path}` had no value to go back to")),
+        }
+        Ok(true)
+    }
+
+    /// Puts a knob to the value that holds where a scene says nothing.
+    ///
+    /// # Errors
+    /// It has none.
+    pub fn reset(&mut self, path: &str) -> Result<(), Told> {
+        let knob = self.knobs.iter().find(|knob| knob.path == path);
+        match knob.map(|knob| knob.field.presence) {
+            Some(crate::scene::schema::Presence::Default(value)) => self.turn(path, value),
+            _ => Err(format!("`{path}` has no default")),
+        }
+    }
+
+    /// Begins again and goes to a frame at once, with what has been done up to it.
+    ///
+    /// # Errors
+    /// The machine.
+    pub fn restart(&mut self, frame: u32) -> Result<(), Told> {
+        self.recording
+            .changes
+            .retain(|change| change.frame <= frame);
+        let scene = self.source.load(&[])?;
+        self.simulation = self.source.begin(&scene, &self.recording, frame)?;
+        let sets: Vec<String> = self
+            .recording
+            .changes
+            .iter()
+            .map(|it| it.set.clone())
+            .collect();
+        self.scene = self.source.load(&sets)?;
+        self.undone.clear();
+        self.knobs = self
+            .source
+            .loader
+            .knobs(&self.source.scene)
+            .map_err(|e| e.to_string())?;
+        self.apply_sets();
+        for (path, value) in sets.iter().filter_map(|set| set.split_once('=')) {
+            self.note_value(path, KnobValue::Written(value.to_owned()));
+        }
+        Ok(())
+    }
+
+    /// Begins again with other random decisions; what has been done is kept.
+    ///
+    /// # Errors
+    /// The machine.
+    pub fn reseed(&mut self, seed: u64) -> Result<(), Told> {
+        self.source.sets.push(format!("seed={seed}"));
+        let kept = self.recording.clone();
+        self.restart(0)?;
+        self.recording = Recording {
+            changes: kept
+                .changes
+                .into_iter()
+                .filter(|change| change.frame == 0)
+                .collect(),
+        };
+        Ok(())
+    }
+
+    /// Reads the scene's file again, and begins anew at the same frame. What is wrong with it leaves
+    /// all as it was.
+    ///
+    /// # Errors
+    /// The scene.
+    pub fn reload(&mut self) -> Result<(), Told> {
+        let frame = self.frame();
+        let scene = self.source.load(&[])?;
+        let knobs = self
+            .source
+            .loader
+            .knobs(&self.source.scene)
+            .map_err(|e| e.to_string())?;
+        let turns =
+            self.recording
+                .turns_with(self.source.loader, &self.source.scene, &self.source.sets);
+        if turns.is_err() {
+            // The keys that were turned are not what they were.
+            self.recording = Recording::default();
+        }
+        self.simulation = self.source.begin(&scene, &self.recording, frame)?;
+        (self.scene, self.knobs) = (scene, knobs);
+        self.apply_sets();
+        Ok(())
+    }
+
+    /// Writes the scene to `path`, and what has been done beside it, with ending `.inputs`:
+    /// `motes render` with `--inputs` makes the same run of them. The recording's path.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn save_as(&self, path: &Path) -> Result<PathBuf, Told> {
+        if path.extension().is_none_or(|ending| ending != "toml") {
+            return Err(format!("{}: a scene's file ends in .toml", path.display()));
+        }
+        let text = self
+            .source
+            .loader
+            .text(&self.source.scene)
+            .map_err(|e| e.to_string())?;
+        let inputs = path.with_extension("inputs");
+        let sets: String = self
+            .source
+            .sets
+            .iter()
+            .map(|set| format!(" --set '{set}'"))
+            .collect();
+        let head = format!(
+            "# motes render {}{sets} --inputs {} --frames 0..{}\n",
+            path.display(),
+            inputs.display(),
+            self.frame() + 1
+        );
+        write_whole(&inputs, (head + &self.recording.to_text()).as_bytes())
+            .map_err(|e| e.to_string())?;
+        write_whole(path, text.as_bytes()).map_err(|e| e.to_string())?;
+        Ok(inputs)
+    }
+
+    /// Draws the last frame into the texture, as it is looked at.
+    ///
+    /// # Errors
+    /// The machine.
+    pub fn draw_into(&mut self, texture: &wgpu::Texture) -> Result<(), Told> {
+        let camera = self.orbit.camera(&self.scene.camera);
+        match camera {
+            Some(camera) => self.simulation.draw_seen_by(&camera),
+            None => self.simulation.draw(),
+        }
+        .map_err(told)?;
+        self.simulation.image_into(texture).map_err(told)
+    }
+}
+
+fn told(error: SimulationError) -> Told {
+    error.to_string()
+}
+
+impl Source {
+    fn load(&self, sets: &[String]) -> Result<Scene, Told> {
+        let sets = [self.sets.clone(), sets.to_vec()].concat();
+        let scene = self.loader.load_with(&self.scene, &sets);
+        scene.map_err(|error| error.to_string())
+    }
+
+    /// The run at `frame`.
+    fn begin(&self, scene: &Scene, done: &Recording, frame: u32) -> Result<Simulation, Told> {
+        let turns = done.turns_with(self.loader, &self.scene, &self.sets);
+        let options = Options {
+            adapter: AdapterChoice::Device(self.device.clone()),
+            // There is no end to playing, but there is to what lives for ever.
+            frame_end: scene.frames,
+            turns: turns.map_err(|refused| refused.message)?,
+            editable: true,
+            gpu: GpuOptions {
+                timed: self.is_timed,
+                ..GpuOptions::default()
+            },
+            threads: None,
+        };
+        let mut simulation = Simulation::new(scene, &options).map_err(told)?;
+        simulation.seek(frame).map_err(told)?;
+        Ok(simulation)
+    }
+}
