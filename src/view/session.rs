@@ -46,8 +46,8 @@ pub struct Session {
     pub orbit: Orbit,
     /// Time that steps are owed for.
     owed: Duration,
-    /// What the last frame took, kernel by kernel, milliseconds; whole frames where there is no
-    /// clock.
+    /// What each kernel took in the last frame and the drawing before it, milliseconds; nothing where
+    /// the device has no clock.
     pub times: Vec<(&'static str, f64)>,
     /// Frame times, the last 240, milliseconds.
     pub history: Vec<f32>,
@@ -163,7 +163,13 @@ impl Session {
     fn take_times(&mut self, begun: Instant) {
         let kernels = self.simulation.take_kernel_times().unwrap_or_default();
         if !kernels.is_empty() {
-            self.times = kernels;
+            self.times.clear();
+        }
+        for (name, ms) in kernels {
+            match self.times.iter_mut().find(|(of, _)| *of == name) {
+                Some((_, sum)) => *sum += ms,
+                None => self.times.push((name, ms)),
+            }
         }
         self.history.push(begun.elapsed().as_secs_f32() * 1000.0);
         let surplus = self.history.len().saturating_sub(240);
