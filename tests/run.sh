@@ -97,6 +97,8 @@ begin "cargo fmt --check"
 cargo fmt --check
 begin "cargo clippy"
 cargo clippy --locked --all-targets -- -D warnings
+begin "cargo clippy, without a window"
+cargo clippy --locked --no-default-features -- -D warnings
 begin "cargo doc"
 RUSTDOCFLAGS="-D warnings" cargo doc --locked --no-deps
 begin "cargo test"

@@ -272,7 +272,7 @@ impl Plan {
         let frame = frame.cast_signed();
         let mut scene = self.scene_at(frame).clone();
         scene.tracks.retain(|track| track.owner != Owner::Camera);
-        scene.camera = camera.clone();
+        scene.camera = *camera;
         inputs::frame_inputs(self, &scene, frame)
     }
 

@@ -68,7 +68,7 @@ impl Orbit {
             position: (target + moved + away).into(),
             target: (target + moved).into(),
             view_height: own.view_height * self.distance,
-            ..own.clone()
+            ..*own
         })
     }
 }

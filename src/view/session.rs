@@ -7,9 +7,17 @@ use std::time::{Duration, Instant};
 use super::orbit::Orbit;
 use crate::gpu::{GpuDevice, GpuOptions};
 use crate::output::write_whole;
+use crate::plan::Plan;
 use crate::recording::{Change, Recording};
 use crate::scene::{Knob, KnobValue, Loader, Scene};
 use crate::simulation::{AdapterChoice, Options, Simulation, SimulationError};
+
+/// Room for so many times the particles that the scene can have as it is.
+const ROOM: u32 = 4;
+/// Room at least.
+const LEAST_ROOM: u32 = 100_000;
+/// Room at most, unless the scene has more particles as it is.
+const MOST_ROOM: u32 = 8_000_000;
 
 /// What to play with, and on what.
 #[derive(Clone, Debug)]
@@ -64,7 +72,8 @@ impl Session {
     ///
     /// # Errors
     /// The scene, or the machine.
-    pub fn new(source: Source) -> Result<Self, Told> {
+    pub fn new(mut source: Source) -> Result<Self, Told> {
+        source.make_room()?;
         let scene = source.load(&[])?;
         let knobs = source
             .loader
@@ -381,6 +390,22 @@ fn told(error: SimulationError) -> Told {
 }
 
 impl Source {
+    /// Gives a scene that names no capacity one that its births may be turned up to.
+    fn make_room(&mut self) -> Result<(), Told> {
+        let scene = self.load(&[])?;
+        if scene.capacity.is_some() || scene.systems.is_empty() {
+            return Ok(());
+        }
+        let plan = Plan::new(&scene, scene.frames).map_err(|error| error.to_string())?;
+        let room = plan
+            .capacity
+            .saturating_mul(ROOM)
+            .clamp(LEAST_ROOM, MOST_ROOM);
+        let capacity = room.max(plan.capacity);
+        self.sets.push(format!("capacity={capacity}"));
+        Ok(())
+    }
+
     fn load(&self, sets: &[String]) -> Result<Scene, Told> {
         let sets = [self.sets.clone(), sets.to_vec()].concat();
         let scene = self.loader.load_with(&self.scene, &sets);

@@ -63,10 +63,16 @@ fn digest(session: &mut Session) -> u64 {
 fn what_was_played_is_replayed_bit_for_bit() {
     let (folder, mut session) = session();
     steps(&mut session, 5);
-    session.turn("system.jet.initial_mean_parts", "90").expect("it turns");
+    session
+        .turn("system.jet.initial_mean_parts", "90")
+        .expect("it turns");
     steps(&mut session, 6);
-    session.turn("system.jet.color", "[0.1, 0.2, 0.9]").expect("it turns");
-    session.turn("system.jet.speed.mean", "0.2").expect("it turns");
+    session
+        .turn("system.jet.color", "[0.1, 0.2, 0.9]")
+        .expect("it turns");
+    session
+        .turn("system.jet.speed.mean", "0.2")
+        .expect("it turns");
     steps(&mut session, 9);
     let saved = folder.path().join("mine.toml");
     let inputs = session.save_as(&saved).expect("it is saved");
@@ -84,12 +90,24 @@ fn what_was_played_is_replayed_bit_for_bit() {
     };
     let mut replay = Simulation::new(&scene, &options).expect("it begins");
     replay.seek(session.frame()).expect("it steps");
-    assert_eq!(replay.state_digest().expect("it is told"), digest(&mut session));
+    assert_eq!(
+        replay.state_digest().expect("it is told"),
+        digest(&mut session)
+    );
     // The changes made a difference.
-    let mut untouched = Simulation::new(&scene, &Options { turns: Vec::new(), ..options })
-        .expect("it begins");
+    let mut untouched = Simulation::new(
+        &scene,
+        &Options {
+            turns: Vec::new(),
+            ..options
+        },
+    )
+    .expect("it begins");
     untouched.seek(session.frame()).expect("it steps");
-    assert_ne!(untouched.state_digest().expect("it is told"), digest(&mut session));
+    assert_ne!(
+        untouched.state_digest().expect("it is told"),
+        digest(&mut session)
+    );
 }
 
 #[test]
@@ -100,7 +118,9 @@ fn knobs_go_back_one_by_one_and_to_their_defaults() {
     assert!(matches!(first, KnobValue::Default(_)), "{first:?}");
     session.turn(path, "0.25").expect("it turns");
     steps(&mut session, 3);
-    session.turn("seed", "9").expect_err("a seed holds for a whole run");
+    session
+        .turn("seed", "9")
+        .expect_err("a seed holds for a whole run");
     session.turn(path, "-3").expect_err("it is out of range");
     session.turn(path, "0.5").expect("it turns");
     steps(&mut session, 3);
@@ -119,7 +139,9 @@ fn knobs_go_back_one_by_one_and_to_their_defaults() {
 fn a_run_that_is_begun_again_has_what_was_done_up_to_there() {
     let (_folder, mut session) = session();
     steps(&mut session, 4);
-    session.turn("system.jet.initial_mean_parts", "70").expect("it turns");
+    session
+        .turn("system.jet.initial_mean_parts", "70")
+        .expect("it turns");
     steps(&mut session, 8);
     let (frame, before) = (session.frame(), digest(&mut session));
     steps(&mut session, 5);
@@ -184,13 +206,17 @@ fn a_script_plays_looks_around_and_takes_pictures_of_the_window() {
          21 key Space\n22 move 800 300\n23 press\n24 move 900 340\n25 release\n\
          30 shot after.png\n30 save paused.toml\n";
     std::fs::write(folder.path().join("play.txt"), script).expect("it is written");
-    let arguments = ["view", "jet.toml", "--script", "play.txt", "--window", "1000x600"];
+    let arguments = [
+        "view", "jet.toml", "--script", "play.txt", "--window", "1000x600",
+    ];
     let output = motes(folder.path(), &arguments);
     let stderr = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(0), "{stderr}");
     let [before, after] = ["before.png", "after.png"].map(|name| {
         let file = std::fs::File::open(folder.path().join(name)).expect("it is there");
-        let mut reader = png::Decoder::new(std::io::BufReader::new(file)).read_info().expect("a PNG");
+        let mut reader = png::Decoder::new(std::io::BufReader::new(file))
+            .read_info()
+            .expect("a PNG");
         assert_eq!((reader.info().width, reader.info().height), (1000, 600));
         let mut pixels = vec![0; reader.output_buffer_size().expect("it is small")];
         reader.next_frame(&mut pixels).expect("it is whole");
@@ -200,23 +226,29 @@ fn a_script_plays_looks_around_and_takes_pictures_of_the_window() {
     let is_orange = |pixel: &[u8]| pixel[0] > 100 && pixel[0] > pixel[1] && pixel[1] > pixel[2];
     let right = |pixels: &[u8]| {
         let rows = pixels.chunks(1000 * 4).take(500);
-        rows.flat_map(|row| row[400 * 4..].chunks(4)).filter(|it| is_orange(it)).count()
+        rows.flat_map(|row| row[400 * 4..].chunks(4))
+            .filter(|it| is_orange(it))
+            .count()
     };
     assert!(right(&before) > 500, "{}", right(&before));
     assert!(right(&after) > 100, "{}", right(&after));
     assert!(before != after, "it was looked at from elsewhere");
     // Looking around is no change of the run, and a pause makes no frames.
-    let read = |name: &str| {
-        std::fs::read_to_string(folder.path().join(name)).expect("it is there")
-    };
-    let lines = |name: &str| -> Vec<String> {
-        read(name).lines().skip(1).map(str::to_owned).collect()
-    };
-    assert_eq!(lines("mine.inputs"), ["0 system.jet.speed.mean=0.1"]);
+    let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).expect("it is there");
+    let lines =
+        |name: &str| -> Vec<String> { read(name).lines().skip(1).map(str::to_owned).collect() };
+    // Frame 0 has been made when the window opens.
+    assert_eq!(lines("mine.inputs"), ["1 system.jet.speed.mean=0.1"]);
     assert_eq!(lines("paused.inputs"), lines("mine.inputs"));
     assert_eq!(read("mine.toml"), SCENE);
-    let head = read("mine.inputs").lines().next().unwrap_or_default().to_owned();
-    assert!(head.starts_with("# motes render mine.toml --inputs mine.inputs --frames 0.."), "{head}");
+    let head = read("mine.inputs")
+        .lines()
+        .next()
+        .unwrap_or_default()
+        .to_owned();
+    let begin =
+        "# motes render mine.toml --set 'capacity=100000' --inputs mine.inputs --frames 0..";
+    assert!(head.starts_with(begin), "{head}");
 }
 
 #[test]

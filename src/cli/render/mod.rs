@@ -26,7 +26,9 @@ use journal::{Finished, Journal};
 use request::Request;
 use summary::Summary;
 
-pub(super) use args::{RenderArgs, parse_size};
+pub(super) use args::RenderArgs;
+#[cfg(feature = "view")]
+pub(super) use args::parse_size;
 
 /// Renders; the exit code: that of a shell for what was stopped, if it was asked to stop.
 pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
