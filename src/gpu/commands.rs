@@ -8,7 +8,7 @@ use super::kernel::Kernel;
 use super::shader::Access;
 use super::sort;
 use crate::backend::BackendError;
-use crate::layout::FLAME_STEPS;
+use crate::layout::{FLAME_LIGHTS, FLAME_STEPS};
 use crate::plan::{Plan, Population, Stage};
 
 /// How a stage uses a kernel.
@@ -62,6 +62,8 @@ enum Work {
     Flames,
     /// As many for each flame as share it.
     FlameShares,
+    /// One for each point light that there may be, told how many fires there are.
+    FlameLights,
     /// One for every 64 cells of the flocks' grids.
     CellRuns,
     /// One invocation, told of the tiles.
@@ -238,6 +240,21 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
         stage: Stage::Trace,
         kernel: "flames/trace",
         work: Work::Flames,
+    },
+    KernelUse {
+        stage: Stage::Lights,
+        kernel: "flames/shine",
+        work: Work::Flames,
+    },
+    KernelUse {
+        stage: Stage::Lights,
+        kernel: "flames/gather",
+        work: Work::FlameLights,
+    },
+    KernelUse {
+        stage: Stage::Ground,
+        kernel: "draw/ground",
+        work: Work::EachPixel,
     },
     KernelUse {
         stage: Stage::Shapes,
@@ -519,6 +536,7 @@ impl GpuBackend {
                 .zip(0..)
                 .try_for_each(|(count, fire)| push(0, 0, &[fire], direct(count))),
             Work::Flames => push(0, 0, &[plan.flame_count], direct(plan.flame_count)),
+            Work::FlameLights => push(0, 0, &[plan.fire_count], direct(FLAME_LIGHTS)),
             Work::FlameShares => {
                 let shares = shares_of(plan);
                 let size = direct(plan.flame_count * shares);

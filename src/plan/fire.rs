@@ -3,6 +3,7 @@
 use glam::{UVec4, Vec3};
 
 use super::Plan;
+use super::lights;
 use super::meshes::MeshTables;
 use super::system::{name_key, pose_of};
 use crate::exact::{normalize_exact, snap};
@@ -30,7 +31,7 @@ pub(super) fn fires_of(now: &Scene, earlier: &Scene, meshes: &MeshTables, frame:
     let mut fires = Vec::new();
     let mut listed = Vec::new();
     let mut looks = Vec::new();
-    let mut first = 0;
+    let (mut first, mut first_light) = (0, 0);
     for (fire, before) in now.fires.iter().zip(&earlier.fires) {
         let members = [
             first,
@@ -38,13 +39,20 @@ pub(super) fn fires_of(now: &Scene, earlier: &Scene, meshes: &MeshTables, frame:
             listed.len() as u32,
             fire.listed.len() as u32,
         ];
+        let of_fire: Vec<AgeLook> = (0..FLAME_STEPS).map(|age| look_at(fire, age)).collect();
+        let lights = lights::ages_of(fire, first_light);
+        first_light += lights[1];
+        let light = lights::light_of(fire, &of_fire, meshes);
         fires.push(FireFrame {
             members,
+            lights,
+            light: light.color,
+            light_scale: light.scale,
             ..fire_frame(fire, before, meshes, now.seed, frame)
         });
         first += fire.count();
         listed.extend(fire.listed.iter().map(listed_flame));
-        looks.extend((0..FLAME_STEPS).map(|age| look_at(fire, age)));
+        looks.extend(of_fire);
     }
     (fires, listed, looks)
 }
@@ -129,6 +137,9 @@ fn fire_frame(
             burning.lifetime.unwrap_or(0),
             burning.growth_frames,
         ],
+        light: [0.0; 4],
+        light_scale: [0.0; 4],
+        lights: [0; 4],
     }
 }
 

@@ -19,6 +19,7 @@ impl Plan {
         self.uses = Uses {
             covers: self.uses.covers,
             planet: self.uses.planet,
+            ground: self.uses.ground,
             triangles: self.uses.triangles,
             ..Uses::all()
         };

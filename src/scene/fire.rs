@@ -53,10 +53,34 @@ pub struct Fire {
     pub inner_radius: f32,
     /// Opacity of that layer's centre, as a factor of the first's, 0 ..= 100. Default 0.
     pub inner_alpha: f32,
+    /// What it throws on surfaces.
+    pub lights: FireLights,
     /// Colours by age, in ascending order of ages, 1 to 16.
     pub ramp: Vec<RampStop>,
     /// When its flames burn.
     pub burning: Burning,
+}
+
+/// The light of a fire's flames on surfaces (Perry 1994, 3.2.4).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FireLights {
+    /// Factor of it, 0 ..= 1,000,000. Default 1: what the flames send to the picture.
+    pub gain: f32,
+    /// Point lights that stand for all flames, 0 ..= 64. Default 1.
+    pub count: u32,
+    /// Where a flame's light is. Default the mean of its places.
+    pub from: LightFrom,
+}
+
+/// Where a flame's light is (Perry 1994, 3.2.4).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LightFrom {
+    /// At the mean of its 25 places.
+    Mean,
+    /// At that of age 12.
+    Middle,
+    /// At the last.
+    Tip,
 }
 
 /// Where flames stand, in the fire's space.

@@ -5,6 +5,7 @@ mod common;
 
 mod fan;
 mod further;
+mod lights;
 mod looks;
 mod roots;
 mod shipped;

@@ -1,9 +1,12 @@
 //! The stages of flames.
 
+pub mod gather;
 pub mod kindle;
+pub mod shine;
 pub mod trace;
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use rayon::prelude::*;
 
@@ -11,7 +14,7 @@ use crate::backend::{BackendError, try_zeroed};
 use crate::cpu::draw::flame_discs::flame_discs;
 use crate::cpu::draw::glow::glow;
 use crate::cpu::light::LightSums;
-use crate::layout::{FLAME_STEPS, Flame, FlameDisc};
+use crate::layout::{FLAME_LIGHTS, FLAME_STEPS, Flame, FlameDisc, FlameLight};
 use crate::plan::{FrameInputs, MeshTables, Plan};
 
 /// Steps of a flame.
@@ -29,6 +32,10 @@ pub(super) struct Flames {
     pub(super) discs: Vec<FlameDisc>,
     /// Which pixels each flame touches, and its inner layer.
     pub(super) bounds: Vec<[u32; 4]>,
+    /// What their point lights are given: the two halves of a weight and of x, y and z of each.
+    pub(super) sums: Vec<u32>,
+    /// Their point lights.
+    pub(super) lights: Vec<FlameLight>,
 }
 
 impl Flames {
@@ -40,6 +47,8 @@ impl Flames {
             steps: try_zeroed(flames * STEPS, "steps of flames")?,
             discs: try_zeroed(flames * STEPS, "particles of flames")?,
             bounds: try_zeroed(flames, "flames")?,
+            sums: vec![0; 8 * FLAME_LIGHTS as usize],
+            lights: vec![FlameLight::default(); FLAME_LIGHTS as usize],
         })
     }
 
@@ -63,6 +72,34 @@ impl Flames {
             .zip(&self.flames)
             .with_min_len(64)
             .for_each(|(steps, flame)| trace::trace(inputs, flame, steps));
+    }
+
+    pub(super) fn gather(&mut self, inputs: &FrameInputs) {
+        let sums: Vec<AtomicU64> = (0..4 * FLAME_LIGHTS).map(|_| AtomicU64::new(0)).collect();
+        let flames = &self.flames;
+        let steps = self.steps.par_chunks(STEPS);
+        steps
+            .zip(flames)
+            .with_min_len(64)
+            .for_each(|(steps, flame)| {
+                let fire = &inputs.fires[flame.fire() as usize];
+                if let Some((light, given)) = shine::shine(fire, flame, steps, flames) {
+                    let of_light = &sums[4 * light as usize..];
+                    for (sum, steps) in of_light.iter().zip(given) {
+                        sum.fetch_add(steps.into(), Ordering::Relaxed);
+                    }
+                }
+            });
+        let sums: Vec<u64> = sums.into_iter().map(AtomicU64::into_inner).collect();
+        self.sums = sums
+            .iter()
+            .flat_map(|sum| [*sum as u32, (*sum >> 32) as u32])
+            .collect();
+        let (lights, _) = sums.as_chunks::<4>();
+        self.lights = (0..)
+            .zip(lights)
+            .map(|(at, sums)| gather::gather(&inputs.fires, flames, at, *sums))
+            .collect();
     }
 
     pub(super) fn discs(&mut self, inputs: &FrameInputs) {

@@ -66,6 +66,7 @@ pub(super) const SWITCHES: &[&str] = &[
     "MESHES",
     "CROWDS",
     "PLANET",
+    "GROUND",
     "TORUS",
     "COVERS",
     "TRIANGLES",

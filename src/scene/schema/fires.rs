@@ -32,6 +32,9 @@ pub const FIRE: &[Field] = &[
     default("color_noise_scale", numbers(1, 0.0, 1e4), "4", "noise cells a world unit", "how fine that noise is", "Perry 4.2"),
     default("inner_radius", numbers(1, 0.01, 1.0), "0.5", "a share of the radius", "how large the inner of two layers of a particle's triangles is", "Perry 4.1"),
     keyed(default("inner_alpha", numbers(1, 0.0, 100.0), "0", "a share of the opacity", "how opaque its centre is; 0: there is one layer", "Perry 4.1")),
+    keyed(default("light", numbers(1, 0.0, 1e6), "1", "", "factor of the light that it throws on surfaces: 1 is what it sends to the picture", "Perry 3.2.4")),
+    default("lights", whole(0, 64), "1", "", "point lights that stand for its flames, each for those nearest to it; fires have 64 in all, at most", "Perry 3.2.4"),
+    default("light_from", Kind::Choice(&["mean", "middle", "tip"]), "\"mean\"", "", "where the light of a flame is: the mean of its 25 places, the middle one, or the last", "Perry 3.2.4"),
     default("ramp", Kind::Tables { fields: RAMP, max: 16 }, "[\
         { age = 0, center = [1, 0.45, 0.2], rim = [1, 0.25, 0.08], alpha = 0.1 }, \
         { age = 0.2, center = [1, 0.7, 0.32], rim = [1, 0.34, 0.06], alpha = 0.3 }, \
