@@ -5,6 +5,7 @@
 
 pub mod boid;
 pub mod cover;
+pub mod detail;
 mod digest;
 pub mod disc;
 pub mod draw;
@@ -34,7 +35,7 @@ use rayon::prelude::*;
 
 use crate::backend::{Backend, BackendError, Living, available_bytes, try_copied, try_zeroed};
 use crate::layout::{COVER_NONE, Counts, Cover, FrameStats, Particle, SystemRow};
-use crate::plan::{FrameInputs, MeshTables, Plan, Population, Stage};
+use crate::plan::{DetailPass, FrameInputs, MeshTables, Plan, Population, Stage};
 use flames::Flames;
 use flock::Flocks;
 use light::LightSums;
@@ -165,8 +166,8 @@ impl CpuBackend {
                     *out = draw::ground::ground(lit, &inputs.grounds[0], pixel as u32);
                 });
             }
-            Stage::FlameDiscs => self.flames.discs(inputs),
-            Stage::Glow => self.flames.glow(&self.light),
+            Stage::FlameDiscs => self.flames.discs(inputs, DetailPass::default()),
+            Stage::Glow => self.flames.glow(inputs, &self.light),
             Stage::Shapes if self.has_covers => {
                 let rows = &self.rows;
                 self.covers.clear();

@@ -116,6 +116,9 @@ pub struct FireFrame {
     pub look: [f32; 4],
     /// Opacity of the inner layer as a factor; the inverse of its radius; the others unused.
     pub inner: [f32; 4],
+    /// Octaves of details; how far they stray as a share of the width; their opacity as a factor; w
+    /// unused.
+    pub details: [f32; 4],
     /// What a weight of 1 throws on a white surface a world unit away; the square of a light's
     /// extent.
     pub light: [f32; 4],

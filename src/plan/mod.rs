@@ -4,6 +4,7 @@
 //! more than a multiplication is computed here, once, with [`crate::exact`] math, so that every
 //! backend starts from the same bits.
 
+mod blackbody;
 mod bounds;
 mod buffers;
 mod camera;
@@ -24,6 +25,7 @@ mod uses;
 mod wind;
 
 pub use buffers::{BUFFERS, Buffer, BufferRole, Count, buffer};
+pub use fire::DetailPass;
 pub use inputs::FrameInputs;
 pub use meshes::MeshTables;
 pub use population::Population;
@@ -93,6 +95,8 @@ pub struct Plan {
     pub fire_count: u32,
     /// Flames of all fires.
     pub flame_count: u32,
+    /// How often the particles along flames are drawn again, smaller, beside their ways.
+    pub detail_passes: u32,
     /// Those of them that are told one by one.
     pub listed_flame_count: u32,
     /// Pixels across.
@@ -194,6 +198,7 @@ impl Plan {
             cell_count: most(&|scene| flock::cell_count(scene)),
             fire_count: scene.fires.len() as u32,
             flame_count: scene.fires.iter().map(Fire::count).sum(),
+            detail_passes: most(&|scene| fire::detail_passes(scene)),
             listed_flame_count: scene
                 .fires
                 .iter()

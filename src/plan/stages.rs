@@ -256,8 +256,17 @@ pub static STAGES: &[StageInfo] = &[
     StageInfo {
         stage: Stage::Glow,
         name: "glow",
-        reads: &["frame", "flame_discs", "flame_bounds"],
-        writes: &["light_low", "light_high"],
+        reads: &[
+            "frame",
+            "fires",
+            "age_looks",
+            "flames",
+            "flame_steps",
+            "layer_planes",
+            "flame_discs",
+            "flame_bounds",
+        ],
+        writes: &["light_low", "light_high", "flame_discs", "flame_bounds"],
         draws: true,
     },
     StageInfo {

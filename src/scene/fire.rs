@@ -53,10 +53,21 @@ pub struct Fire {
     pub inner_radius: f32,
     /// Opacity of that layer's centre, as a factor of the first's, 0 ..= 100. Default 0.
     pub inner_alpha: f32,
+    /// Octaves of smaller particles beside its flames, 0 ..= 4. Default 0.
+    pub details: u32,
+    /// How far noise carries them off, as a share of the width, 0 ..= 100. Default 1.
+    pub detail_spread: f32,
+    /// Their opacity as a factor, 0 ..= 100. Default 0.5.
+    pub detail_alpha: f32,
     /// What it throws on surfaces.
     pub lights: FireLights,
     /// Colours by age, in ascending order of ages, 1 to 16.
     pub ramp: Vec<RampStop>,
+    /// Temperatures at root and tip in kelvin, 1,000 ..= 20,000 each, whose colours stand for those of
+    /// the ramp.
+    pub blackbody: Option<[f32; 2]>,
+    /// The temperature of a particle's rim, as a share, 0.1 ..= 1. Default 0.8.
+    pub blackbody_rim: f32,
     /// When its flames burn.
     pub burning: Burning,
 }

@@ -28,7 +28,7 @@ pub(crate) fn all_kinds_of_fires() -> Scene {
             .to_owned(),
         "name = \"ball\"\nposition = [0.5, 0.3, -1]\nwind_factor = 3\ninverse_cohesion = 4\n\
          roots = { kind = \"mesh\", mesh = \"sphere\", scale = 0.5, count = 60 }\nlights = 4\nlight_from = \"tip\"\nheight = 0.7\n\
-         width = 0.2\nnoisiness = 0.1\ncolor_noise = 0.6\ngravity = [0.2, -1, 0.1]\n"
+         width = 0.2\nnoisiness = 0.1\ndetails = 2\ncolor_noise = 0.6\ngravity = [0.2, -1, 0.1]\n"
             .to_owned(),
         // Below a ceiling: in still air, the rise stops what goes down.
         "name = \"ceiling\"\nwind_factor = 0\nnoisiness = 0\nheight = 0.5\n\

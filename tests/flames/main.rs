@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod details;
 mod fan;
 mod further;
 mod lights;

@@ -34,6 +34,9 @@ fn a_fire_alone_is_a_scene_with_the_documented_defaults() {
     assert_eq!((own.wind_factor, own.brightness), (1.0, 1.0));
     assert_eq!((own.color_noise, own.color_noise_scale), (0.0, 4.0));
     assert_eq!((own.inner_radius, own.inner_alpha), (0.5, 0.0));
+    assert_eq!((own.blackbody, own.blackbody_rim), (None, 0.8));
+    let details = (own.details, own.detail_spread, own.detail_alpha);
+    assert_eq!(details, (0, 1.0, 0.5));
     let lights = FireLights {
         gain: 1.0,
         count: 1,

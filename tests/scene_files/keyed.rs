@@ -44,6 +44,8 @@ pub(crate) const CHANGING: &[(&str, &str, &str, &str)] = &[
     ("fire", "brightness", "0", "1"),
     ("fire", "color_noise", "0", "1"),
     ("fire", "inner_alpha", "0", "1"),
+    ("fire", "detail_spread", "0", "1"),
+    ("fire", "detail_alpha", "1", "0"),
     ("fire", "light", "0", "12"),
     ("wind.uniform", "velocity", "[0, 0, 0]", "[1, 2, 3]"),
     ("wind.buoyancy", "gravity", "[0, -1, 0]", "[1, 0, 0]"),

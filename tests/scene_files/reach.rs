@@ -373,6 +373,9 @@ fn fire() -> Fire {
         color_noise_scale: 3.0,
         inner_radius: 0.3,
         inner_alpha: 1.5,
+        details: 3,
+        detail_spread: 0.625,
+        detail_alpha: 0.375,
         lights: FireLights {
             gain: 7.0,
             count: 5,
@@ -385,6 +388,8 @@ fn fire() -> Fire {
             alpha: 0.5,
             rim_alpha: 0.125,
         }],
+        blackbody: Some([1900.0, 1500.0]),
+        blackbody_rim: 0.875,
         burning: Burning {
             first_frame: -3,
             kindling_frames: 10,

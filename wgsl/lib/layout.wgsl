@@ -521,6 +521,8 @@ struct FireFrame {
     look: vec4<f32>,
     // Opacity of the inner layer as a factor; the inverse of its radius.
     inner: vec4<f32>,
+    // Octaves of details; how far they stray as a share of the width; their opacity as a factor.
+    details: vec4<f32>,
     // What a weight of 1 throws on white a unit away; the square of a light's extent.
     light: vec4<f32>,
     // The inverse of the greatest weight; the reach of lights from their roots, half its inverse; the

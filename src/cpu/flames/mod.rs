@@ -15,7 +15,7 @@ use crate::cpu::draw::flame_discs::flame_discs;
 use crate::cpu::draw::glow::glow;
 use crate::cpu::light::LightSums;
 use crate::layout::{FLAME_LIGHTS, FLAME_STEPS, Flame, FlameDisc, FlameLight};
-use crate::plan::{FrameInputs, MeshTables, Plan};
+use crate::plan::{DetailPass, FrameInputs, MeshTables, Plan};
 
 /// Steps of a flame.
 const STEPS: usize = FLAME_STEPS as usize;
@@ -24,6 +24,7 @@ const STEPS: usize = FLAME_STEPS as usize;
 #[derive(Debug)]
 pub(super) struct Flames {
     meshes: Arc<MeshTables>,
+    detail_passes: u32,
     /// In the order of fires and of indices.
     pub(super) flames: Vec<Flame>,
     /// The places of their particles.
@@ -43,6 +44,7 @@ impl Flames {
         let flames = plan.flame_count as usize;
         Ok(Self {
             meshes: Arc::clone(&plan.meshes),
+            detail_passes: plan.detail_passes,
             flames: try_zeroed(flames, "flames")?,
             steps: try_zeroed(flames * STEPS, "steps of flames")?,
             discs: try_zeroed(flames * STEPS, "particles of flames")?,
@@ -102,7 +104,7 @@ impl Flames {
             .collect();
     }
 
-    pub(super) fn discs(&mut self, inputs: &FrameInputs) {
+    pub(super) fn discs(&mut self, inputs: &FrameInputs, pass: DetailPass) {
         self.discs
             .par_chunks_mut(STEPS)
             .zip(self.steps.par_chunks(STEPS))
@@ -110,11 +112,20 @@ impl Flames {
             .zip(&mut self.bounds)
             .with_min_len(64)
             .for_each(|(((discs, steps), flame), bounds)| {
-                *bounds = flame_discs(inputs, flame, steps, discs);
+                *bounds = flame_discs(inputs, flame, pass, steps, discs);
             });
     }
 
-    pub(super) fn glow(&self, light: &LightSums) {
+    /// The light of all passes, of which that of no details is at hand.
+    pub(super) fn glow(&mut self, inputs: &FrameInputs, light: &LightSums) {
+        self.glow_of_pass(light);
+        for at in 0..self.detail_passes {
+            self.discs(inputs, DetailPass::nth(at));
+            self.glow_of_pass(light);
+        }
+    }
+
+    fn glow_of_pass(&self, light: &LightSums) {
         let discs = self.discs.par_chunks(STEPS);
         discs
             .zip(&self.bounds)

@@ -48,6 +48,7 @@ pub static LIBRARIES: &[Source] = sources![
     "lib/footprint",
     "lib/sprite",
     "lib/flame",
+    "lib/detail",
     "lib/pillar",
     "lib/fan",
     "lib/grid",

@@ -50,6 +50,9 @@ fn fire(at: usize, spot: &Spot<'_>, files: &Files) -> Result<Fire, SceneError> {
         color_noise_scale: table.must("color_noise_scale", Quantity::read)?,
         inner_radius: table.must("inner_radius", Quantity::read)?,
         inner_alpha: table.must("inner_alpha", Quantity::read)?,
+        details: table.must("details", whole32)?,
+        detail_spread: table.must("detail_spread", Quantity::read)?,
+        detail_alpha: table.must("detail_alpha", Quantity::read)?,
         lights: FireLights {
             gain: table.must("light", Quantity::read)?,
             count: table.must("lights", whole32)?,
@@ -57,6 +60,8 @@ fn fire(at: usize, spot: &Spot<'_>, files: &Files) -> Result<Fire, SceneError> {
                 [table.must("light_from", choice)?],
         },
         ramp: table.must("ramp", |spot| list(spot, |_, spot| ramp_stop(spot)))?,
+        blackbody: table.may("blackbody", Quantity::read)?,
+        blackbody_rim: table.must("blackbody_rim", Quantity::read)?,
         burning: Burning {
             first_frame: table.must("first_frame", signed32)?,
             kindling_frames: table.must("kindling_frames", whole32)?,
