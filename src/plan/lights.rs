@@ -10,7 +10,7 @@ use crate::scene::{Fire, LightFrom, Roots};
 /// Area of a regular polygon of 20 corners on the unit circle.
 const FAN_AREA: f32 = 3.090_17;
 /// 1 / pi: what falls on a white surface is sent back in all directions.
-const PER_HALF_SPACE: f32 = 0.318_309_9;
+const PER_HALF_SPACE: f32 = std::f32::consts::FRAC_1_PI;
 /// A light's extent as a share of its flames' height: nearer than that, light hardly grows.
 const EXTENT: f32 = 0.2;
 /// How far wind may carry a flame, in heights.

@@ -143,15 +143,20 @@ impl Roots {
         }
     }
 
-    /// Makes them so many times as many, at least one.
-    pub fn scale(&mut self, share: f64) {
+    /// Makes them so many, if any stand there.
+    pub fn set_count(&mut self, wanted: u32) {
         match self {
             Self::Listed => {}
             Self::Line { count, .. }
             | Self::Circle { count, .. }
             | Self::Disc { count, .. }
-            | Self::Mesh { count, .. } => *count = ((f64::from(*count) * share) as u32).max(1),
+            | Self::Mesh { count, .. } => *count = wanted,
         }
+    }
+
+    /// Makes them so many times as many, at least one.
+    pub fn scale(&mut self, share: f64) {
+        self.set_count(((f64::from(self.count()) * share) as u32).max(1));
     }
 }
 

@@ -25,7 +25,7 @@ var<immediate> work: Work;
 fn weight_of(at: u32) -> f32 {
     let low = flame_sums[at];
     let high = f32_of_u32(flame_sums[at + 1u]) * 4.0f;
-    return high + (f32_of_u32(low >> 8u) * 2.3841858e-7f + f32_of_u32(low & 0xffu) * 9.3132257e-10f);
+    return high + (f32_of_u32(low >> 8u) * 2.3841858e-7f + f32_of_u32(low & 0xffu) * 9.313226e-10f);
 }
 
 @compute @workgroup_size(WORKGROUP_SIZE)

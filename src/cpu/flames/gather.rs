@@ -11,7 +11,7 @@ use crate::layout::{FireFrame, Flame, FlameLight};
 fn weight_of(sum: u64) -> f32 {
     let (low, high) = (sum as u32, (sum >> 32) as u32);
     let high = f32_of_u32(high) * 4.0;
-    high + (f32_of_u32(low >> 8) * 2.384_185_8e-7 + f32_of_u32(low & 0xff) * 9.313_225_7e-10)
+    high + (f32_of_u32(low >> 8) * 2.384_185_8e-7 + f32_of_u32(low & 0xff) * 9.313_226e-10)
 }
 
 /// The light at that place among all, from its weight and the sums of its x, y and z.
