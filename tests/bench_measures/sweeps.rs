@@ -168,6 +168,8 @@ fn scenes_of_fires_alone_scale_by_their_flames() {
             "{counts:?}"
         );
     }
+    let runs = run(&[Target::Cpu], &job(&scene, 71), &counted(3), &mut |_| true);
+    assert_eq!(runs.expect("it is measured")[0].live, Some(71));
     for (flames, said) in [(1, "are listed"), (100_001, "at most 100000 flames")] {
         let error = job(&scene, flames).scaled().expect_err("it cannot be");
         assert!(
