@@ -3,6 +3,7 @@
 
 pub mod flame;
 pub mod flock;
+pub mod ground;
 pub mod planet;
 pub mod tree;
 
@@ -12,6 +13,7 @@ use crate::exact::shared_constants;
 
 pub use flame::*;
 pub use flock::*;
+pub use ground::*;
 pub use planet::*;
 pub use tree::*;
 

@@ -44,6 +44,8 @@
 //!    moves; sums over them are integers.
 //! 6. *kindle*: the roots of flames, by hash of who each is, moved with their fires. *trace*: the way
 //!    of each flame's particle through this frame's wind, 25 steps; flames have no past.
+//!    *gather*, where there is a surface: a few point lights that stand for them. *ground*: a plane
+//!    behind everything, and pillars on it, in that light.
 //! 7. *shapes*: what covers what is behind it, one record a particle or boid ([`layout::Cover`]).
 //! 8. *cover*: the records are sorted by depth, stably, and each pixel gathers those that cover it,
 //!    from near to far; by tiles, in rounds, so that no tile has too many.

@@ -9,8 +9,8 @@ use motes::gpu::shader::{self, Access, CompileOptions, CompiledKernel};
 use motes::gpu::{STAGE_KERNELS, check_binding};
 use motes::layout::{
     self, AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, FireFrame, Flame, FlameDisc,
-    FlockFrame, Frame, FrameStats, Lamp, ListedFlame, Node, Particle, Planet, Pose, Relation,
-    SystemFrame, SystemRow, Wind,
+    FlameLight, FlockFrame, Frame, FrameStats, Ground, Lamp, ListedFlame, Node, Particle, Pillar,
+    Planet, Pose, Relation, SystemFrame, SystemRow, Wind,
 };
 use motes::plan::{BUFFERS, BufferRole, STAGES, Uses, buffer};
 
@@ -194,6 +194,24 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             kinds,
         }),
         rust_layout!(Lamp { place, color }),
+        rust_layout!(Ground {
+            plane,
+            eye,
+            middle,
+            color,
+            light_from,
+            light_color,
+            ambient,
+            lamps_from,
+            kinds,
+            counts,
+        }),
+        rust_layout!(Pillar {
+            place,
+            extent,
+            color,
+        }),
+        rust_layout!(FlameLight { place, color }),
         rust_layout!(Dispatch { x, y, z }),
         rust_layout!(Boid {
             position_and_flock,
@@ -236,10 +254,14 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             motion,
             look,
             inner,
+            details,
+            light,
+            light_scale,
             kinds,
             members,
             faces,
             times,
+            lights,
         }),
         rust_layout!(ListedFlame {
             position,
@@ -338,8 +360,12 @@ fn constants_agree_bit_for_bit() {
         layout::tree::CONSTANTS,
         motes::cpu::tree::CONSTANTS,
         layout::flame::CONSTANTS,
+        layout::ground::CONSTANTS,
+        motes::cpu::draw::ground::CONSTANTS,
+        motes::cpu::pillar::CONSTANTS,
         motes::cpu::flame::CONSTANTS,
         motes::cpu::fan::CONSTANTS,
+        motes::cpu::detail::CONSTANTS,
         motes::cpu::draw::flame_discs::CONSTANTS,
         motes::cpu::boid::CONSTANTS,
         motes::cpu::grid::CONSTANTS,

@@ -9,6 +9,9 @@ const MOST_BIRTHS: f32 = 16e6;
 /// Most boids of a scene, as scene files have it.
 const MOST_BOIDS: u32 = 1_000_000;
 
+/// Most flames of a scene, as scene files have it.
+const MOST_FLAMES: u32 = 100_000;
+
 /// What is to be measured.
 #[derive(Clone, Copy, Debug)]
 pub struct Job<'a> {
@@ -29,6 +32,9 @@ impl Job<'_> {
         match (self.particles, scene.steady_particles) {
             (None, _) => Ok(scene.clone()),
             (Some(particles), Some(steady)) => more_births(scene, particles, steady),
+            (Some(flames), None) if scene.systems.is_empty() && scene.flocks.is_empty() => {
+                more_flames(scene, flames)
+            }
             (Some(boids), None) if scene.systems.is_empty() => more_boids(scene, boids),
             (Some(_), None) => Err(BenchError::input(
                 format!(
@@ -61,6 +67,46 @@ fn more_births(scene: &Scene, particles: u32, steady: u32) -> Result<Scene, Benc
             ),
             format!("at most {} particles", possible as u64),
         ));
+    }
+    Ok(scaled)
+}
+
+/// The flames that stand on roots grow alike in number; those that are listed stay as they are.
+fn more_flames(scene: &Scene, flames: u32) -> Result<Scene, BenchError> {
+    let mut scaled = scene.clone();
+    let listed: u32 = scene
+        .fires
+        .iter()
+        .map(|fire| fire.listed.len() as u32)
+        .sum();
+    let on_roots: u32 = scene.fires.iter().map(|fire| fire.roots.count()).sum();
+    if flames > MOST_FLAMES {
+        return Err(BenchError::input(
+            format!("{flames} flames of `{}` are too many", scene.name),
+            format!("at most {MOST_FLAMES} flames"),
+        ));
+    }
+    if on_roots == 0 || flames <= listed {
+        return Err(BenchError::input(
+            format!(
+                "{listed} flames of `{}` are listed, and {on_roots} others can be more or fewer",
+                scene.name
+            ),
+            "a fire with `roots`, and more flames than are listed".to_owned(),
+        ));
+    }
+    let mut left = flames - listed;
+    let last = scene.fires.iter().rposition(|fire| fire.roots.count() > 0);
+    for (at, fire) in scaled.fires.iter_mut().enumerate() {
+        let own = u64::from(fire.roots.count());
+        let share = own * u64::from(flames - listed) / u64::from(on_roots);
+        let wanted = if Some(at) == last {
+            left
+        } else {
+            (share as u32).min(left)
+        };
+        fire.roots.set_count(wanted);
+        left -= if own > 0 { wanted } else { 0 };
     }
     Ok(scaled)
 }

@@ -69,7 +69,9 @@ pub(super) fn warm_up(
             for (at, lane) in lanes.iter_mut().enumerate() {
                 let stats = lane.statistics()?;
                 if at == 0 {
-                    let lives = |line: &FrameStats| line.live.saturating_add(plan.boid_count);
+                    let lives = |line: &FrameStats| {
+                        line.live.saturating_add(plan.boid_count + plan.flame_count)
+                    };
                     counts.extend(stats.iter().map(lives));
                 }
             }

@@ -23,7 +23,7 @@ pub(super) fn told(
     taken: Taken,
 ) -> Result<Run, BenchError> {
     // Boids live all along.
-    let lives = |line: &FrameStats| line.live.saturating_add(plan.boid_count);
+    let lives = |line: &FrameStats| line.live.saturating_add(plan.boid_count + plan.flame_count);
     let counts: Vec<u32> = taken.stats.iter().map(lives).collect();
     let middle = |of: fn(&FrameStats) -> u32| {
         let mut all: Vec<f64> = taken.stats.iter().map(|line| of(line).into()).collect();

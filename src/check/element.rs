@@ -172,6 +172,17 @@ const COVER: Fields = &[
 
 const RED_GREEN: Fields = &[("red", true), ("green", true)];
 
+const FLAME_LIGHT: Fields = &[
+    ("place.x", true),
+    ("place.y", true),
+    ("place.z", true),
+    ("extent", true),
+    ("red", true),
+    ("green", true),
+    ("blue", true),
+    ("w", false),
+];
+
 const PLANET_PIXEL: Fields = &[
     ("red", true),
     ("green", true),
@@ -192,7 +203,8 @@ fn fields(name: &str) -> Fields {
     };
     match (declared.record, declared.count) {
         ("Cover", _) => COVER,
-        _ if name == "planet_pixels" => PLANET_PIXEL,
+        _ if name == "planet_pixels" || name == "ground_pixels" => PLANET_PIXEL,
+        ("FlameLight", _) => FLAME_LIGHT,
         _ if name == "cover_rg" => RED_GREEN,
         _ if name == "cover_bt" => BLUE_CLEAR,
         ("Flame", _) => FLAME,
@@ -223,7 +235,7 @@ pub(super) fn element(
     let is_picture = buffer(name).is_some_and(|declared| {
         matches!(
             declared.count,
-            Count::Pixels(_) | Count::CoveredPixels(_) | Count::PlanetPixels
+            Count::Pixels(_) | Count::CoveredPixels(_) | Count::PlanetPixels | Count::GroundPixels
         )
     });
     let across = plan.width.max(1) as usize;

@@ -31,7 +31,7 @@ pub(super) struct BenchArgs {
     #[arg(long)]
     micro: bool,
     /// How many particles live, e.g. 1e5,1e6: scenes with `steady_particles` are scaled to them, and
-    /// scenes of flocks alone to as many boids
+    /// scenes of flocks alone to as many boids, of fires alone to as many flames
     #[arg(long, value_name = "N,N,…", value_delimiter = ',', value_parser = parse_particles, allow_hyphen_values = true)]
     particles: Vec<u32>,
     /// Frames to measure [default: until the noise is low enough]

@@ -146,3 +146,9 @@ pub fn stepped(
     }
     Along { position, velocity }
 }
+
+/// The flame whose root a point light's place is counted from: one of every so many.
+#[inline]
+pub fn light_seed(fire: &FireFrame, light: u32) -> u32 {
+    fire.members[0] + (2 * light + 1) * fire.members[1] / (2 * fire.lights[1])
+}

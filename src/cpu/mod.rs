@@ -5,6 +5,7 @@
 
 pub mod boid;
 pub mod cover;
+pub mod detail;
 mod digest;
 pub mod disc;
 pub mod draw;
@@ -18,6 +19,7 @@ pub mod grid;
 pub mod light;
 pub mod particle;
 pub mod particles;
+pub mod pillar;
 pub mod projection;
 pub mod reach;
 pub mod shape;
@@ -33,7 +35,7 @@ use rayon::prelude::*;
 
 use crate::backend::{Backend, BackendError, Living, available_bytes, try_copied, try_zeroed};
 use crate::layout::{COVER_NONE, Counts, Cover, FrameStats, Particle, SystemRow};
-use crate::plan::{FrameInputs, MeshTables, Plan, Population, Stage};
+use crate::plan::{DetailPass, FrameInputs, MeshTables, Plan, Population, Stage};
 use flames::Flames;
 use flock::Flocks;
 use light::LightSums;
@@ -63,6 +65,8 @@ pub struct CpuBackend {
     tree: Tree,
     /// Empty if there is no planet.
     planet_pixels: Vec<[u32; 4]>,
+    /// Empty if there is no ground.
+    ground_pixels: Vec<[u32; 4]>,
     flocks: Flocks,
     flames: Flames,
     light: LightSums,
@@ -110,6 +114,7 @@ impl CpuBackend {
             meshes: Arc::clone(&plan.meshes),
             tree: Tree::new(plan),
             planet_pixels: try_zeroed(if plan.uses.planet { pixels } else { 0 }, "pixels")?,
+            ground_pixels: try_zeroed(if plan.uses.ground { pixels } else { 0 }, "pixels")?,
             flocks: Flocks::new(plan)?,
             flames: Flames::new(plan)?,
             light: LightSums::new(plan.width, plan.height),
@@ -152,8 +157,17 @@ impl CpuBackend {
             Stage::Steer => self.flocks.steer(inputs),
             Stage::Kindle => self.flames.kindle(inputs),
             Stage::Trace => self.flames.trace(inputs),
-            Stage::FlameDiscs => self.flames.discs(inputs),
-            Stage::Glow => self.flames.glow(&self.light),
+            Stage::Lights => self.flames.gather(inputs),
+            Stage::Ground => {
+                let flames = &self.flames.lights;
+                let lit = draw::ground::Lit { inputs, flames };
+                let pixels = self.ground_pixels.par_iter_mut().with_min_len(1024);
+                pixels.enumerate().for_each(|(pixel, out)| {
+                    *out = draw::ground::ground(lit, &inputs.grounds[0], pixel as u32);
+                });
+            }
+            Stage::FlameDiscs => self.flames.discs(inputs, DetailPass::default()),
+            Stage::Glow => self.flames.glow(inputs, &self.light),
             Stage::Shapes if self.has_covers => {
                 let rows = &self.rows;
                 self.covers.clear();
@@ -191,15 +205,18 @@ impl CpuBackend {
             Stage::Resolve => {
                 let light = &self.light;
                 let (rg, bt) = (&self.cover_rg, &self.cover_bt);
-                let planet = &self.planet_pixels;
+                let (ground, planet) = (&self.ground_pixels, &self.planet_pixels);
                 self.image
                     .par_iter_mut()
                     .with_min_len(4096)
                     .enumerate()
                     .for_each(|(pixel, out)| {
                         let covers = rg.get(pixel).copied().zip(bt.get(pixel).copied());
-                        let ground = planet.get(pixel).copied();
-                        let behind = draw::resolve::Behind { ground, covers };
+                        let behind = draw::resolve::Behind {
+                            ground: ground.get(pixel).copied(),
+                            planet: planet.get(pixel).copied(),
+                            covers,
+                        };
                         *out = draw::resolve::resolve(&inputs.frame, light, behind, pixel)
                     });
             }
@@ -396,6 +413,7 @@ impl Backend for CpuBackend {
             "counts" => bytemuck::cast_slice(&[self.counts]).to_vec(),
             "particles" => try_copied(bytemuck::cast_slice(&self.particles), "the particles")?,
             "planet_pixels" => bytemuck::cast_slice(&self.planet_pixels).to_vec(),
+            "ground_pixels" => bytemuck::cast_slice(&self.ground_pixels).to_vec(),
             "nodes" => bytemuck::cast_slice(&self.tree.nodes).to_vec(),
             "tree_counts" => bytemuck::cast_slice(&[self.tree.counts]).to_vec(),
             "borne_systems" => bytemuck::cast_slice(&self.tree.systems).to_vec(),
@@ -409,6 +427,8 @@ impl Backend for CpuBackend {
             "flames" => bytemuck::cast_slice(&self.flames.flames).to_vec(),
             "flame_steps" => try_copied(bytemuck::cast_slice(&self.flames.steps), "the flames")?,
             "flame_discs" => try_copied(bytemuck::cast_slice(&self.flames.discs), "the flames")?,
+            "flame_sums" => self.flames.sums.clone(),
+            "flame_lights" => bytemuck::cast_slice(&self.flames.lights).to_vec(),
             "flame_bounds" => bytemuck::cast_slice(&self.flames.bounds).to_vec(),
             "covers" => try_copied(bytemuck::cast_slice(&self.covers), "what covers")?,
             "cover_counts" => self.cover_counts(),

@@ -8,8 +8,8 @@ use super::kernel::Kernel;
 use super::shader::Access;
 use super::sort;
 use crate::backend::BackendError;
-use crate::layout::FLAME_STEPS;
-use crate::plan::{Plan, Population, Stage};
+use crate::layout::{FLAME_LIGHTS, FLAME_STEPS};
+use crate::plan::{DetailPass, Plan, Population, Stage};
 
 /// How a stage uses a kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,8 +60,16 @@ enum Work {
     Fires,
     /// One a flame of any fire.
     Flames,
+    /// The same, told that it is of no details.
+    FlameDiscs,
     /// As many for each flame as share it.
     FlameShares,
+    /// In each pass of details: one a flame, and as many for each as share it.
+    DetailFlames,
+    /// As above.
+    DetailShares,
+    /// One for each point light that there may be, told how many fires there are.
+    FlameLights,
     /// One for every 64 cells of the flocks' grids.
     CellRuns,
     /// One invocation, told of the tiles.
@@ -87,6 +95,8 @@ enum Turns {
     Sort,
     /// In each round of what covers.
     Rounds,
+    /// In each pass of flames' details.
+    Details,
 }
 
 impl Work {
@@ -95,6 +105,7 @@ impl Work {
             Self::SortRuns | Self::SortDigits | Self::SortOnce => Some(Turns::Sort),
             Self::TreeSlots | Self::TreeOnce | Self::TreeBorne => Some(Turns::Tree),
             Self::Round(_) => Some(Turns::Rounds),
+            Self::DetailFlames | Self::DetailShares => Some(Turns::Details),
             _ => None,
         }
     }
@@ -240,6 +251,21 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
         work: Work::Flames,
     },
     KernelUse {
+        stage: Stage::Lights,
+        kernel: "flames/shine",
+        work: Work::Flames,
+    },
+    KernelUse {
+        stage: Stage::Lights,
+        kernel: "flames/gather",
+        work: Work::FlameLights,
+    },
+    KernelUse {
+        stage: Stage::Ground,
+        kernel: "draw/ground",
+        work: Work::EachPixel,
+    },
+    KernelUse {
         stage: Stage::Shapes,
         kernel: "draw/shapes",
         work: Work::LivePages,
@@ -337,12 +363,22 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
     KernelUse {
         stage: Stage::FlameDiscs,
         kernel: "draw/flame_discs",
-        work: Work::Flames,
+        work: Work::FlameDiscs,
     },
     KernelUse {
         stage: Stage::Glow,
         kernel: "draw/glow",
         work: Work::FlameShares,
+    },
+    KernelUse {
+        stage: Stage::Glow,
+        kernel: "draw/flame_discs",
+        work: Work::DetailFlames,
+    },
+    KernelUse {
+        stage: Stage::Glow,
+        kernel: "draw/glow",
+        work: Work::DetailShares,
     },
     KernelUse {
         stage: Stage::Resolve,
@@ -455,6 +491,7 @@ impl GpuBackend {
             let turns = match group[0].work.turns() {
                 Some(Turns::Tree) => plan.tree_levels,
                 Some(Turns::Sort) => sort::PASSES,
+                Some(Turns::Details) => plan.detail_passes,
                 Some(Turns::Rounds) => self.memory.tiling.rounds,
                 None => 1,
             };
@@ -524,7 +561,14 @@ impl GpuBackend {
                 .zip(0..)
                 .try_for_each(|(count, fire)| push(0, 0, &[fire], direct(count))),
             Work::Flames => push(0, 0, &[plan.flame_count], direct(plan.flame_count)),
-            Work::FlameShares => {
+            Work::FlameLights => push(0, 0, &[plan.fire_count], direct(FLAME_LIGHTS)),
+            Work::FlameDiscs => push(0, 0, &[plan.flame_count, 0, 0], direct(plan.flame_count)),
+            Work::DetailFlames => {
+                let DetailPass { octave, copy } = DetailPass::nth(turn);
+                let told = [plan.flame_count, octave, copy];
+                push(0, 0, &told, direct(plan.flame_count))
+            }
+            Work::FlameShares | Work::DetailShares => {
                 let shares = shares_of(plan);
                 let size = direct(plan.flame_count * shares);
                 push(0, 0, &[plan.flame_count, shares], size)

@@ -185,6 +185,7 @@ impl Memory {
     /// Clears what a stage adds to: it is dark before the splat, and nothing covers before the shapes.
     pub(super) fn begin(&self, stage: Stage, encoder: &mut wgpu::CommandEncoder) {
         let names: &[&str] = match stage {
+            Stage::Lights => &["flame_sums"],
             Stage::Shapes => &["cover_counts"],
             Stage::Splat if self.has_planet => &[],
             Stage::Splat | Stage::Planet => &["light_low", "light_high", "light_packed"],

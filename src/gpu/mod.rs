@@ -85,6 +85,7 @@ pub struct GpuBackend {
     height: u32,
     has_covers: bool,
     has_planet: bool,
+    has_ground: bool,
     /// Which pool holds the particles.
     current: usize,
     /// Whether newborns stand behind the living: between emit and advance.
@@ -207,6 +208,7 @@ impl GpuBackend {
             height: plan.height,
             has_covers: plan.uses.covers,
             has_planet: plan.uses.planet,
+            has_ground: plan.uses.ground,
             current: 0,
             newborns_present: false,
             ring: StatisticsRing::default(),

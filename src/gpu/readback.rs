@@ -99,7 +99,8 @@ impl GpuBackend {
             "cover_rg" | "cover_bt" if self.has_covers => pixels * 2,
             "cover_rg" | "cover_bt" => 0,
             "planet_pixels" if self.has_planet => pixels * 4,
-            "planet_pixels" => 0,
+            "ground_pixels" if self.has_ground => pixels * 4,
+            "planet_pixels" | "ground_pixels" => 0,
             "light_low" | "light_high" => pixels * 3,
             _ => whole.size() / 4,
         };

@@ -34,6 +34,8 @@ impl GpuBackend {
             ("system_frames", bytemuck::cast_slice(&inputs.systems)),
             ("planets", bytemuck::cast_slice(&inputs.planets)),
             ("lamps", bytemuck::cast_slice(&inputs.lamps)),
+            ("grounds", bytemuck::cast_slice(&inputs.grounds)),
+            ("pillars", bytemuck::cast_slice(&inputs.pillars)),
             ("poses", bytemuck::cast_slice(&inputs.poses)),
             ("broods", bytemuck::cast_slice(&inputs.broods)),
             ("row_spreads", bytemuck::cast_slice(&inputs.row_spreads)),

@@ -8,8 +8,8 @@
 use super::commands::STAGE_KERNELS;
 use super::sort;
 use crate::layout::{
-    Boid, Cover, Dispatch, FLAME_STEPS, Flame, FlameDisc, Node, Particle, Pose, SystemFrame,
-    SystemRow,
+    Boid, Cover, Dispatch, FLAME_LIGHTS, FLAME_STEPS, Flame, FlameDisc, FlameLight, Node, Particle,
+    Pose, SystemFrame, SystemRow,
 };
 use crate::plan::{Stage, Uses};
 
@@ -225,6 +225,14 @@ static TABLE: &[Line] = &[
         let places = load.flames * u64::from(FLAME_STEPS);
         (places, load.flames * (FLAME + FLAME_PLACES))
     }),
+    ("flames/shine", |load| {
+        (load.flames, load.flames * (FLAME + FLAME_PLACES))
+    }),
+    ("flames/gather", |_| {
+        let lights = u64::from(FLAME_LIGHTS);
+        (lights, lights * (8 * WORD + size_of::<FlameLight>() as u64))
+    }),
+    ("draw/ground", |load| (load.pixels, load.pixels * 4 * WORD)),
     ("draw/shapes", |load| {
         (load.live, load.live * (PARTICLE + COVER))
     }),

@@ -116,6 +116,16 @@ pub struct FireFrame {
     pub look: [f32; 4],
     /// Opacity of the inner layer as a factor; the inverse of its radius; the others unused.
     pub inner: [f32; 4],
+    /// Octaves of details; how far they stray as a share of the width; their opacity as a factor; w
+    /// unused.
+    pub details: [f32; 4],
+    /// What a weight of 1 throws on a white surface a world unit away; the square of a light's
+    /// extent.
+    pub light: [f32; 4],
+    /// The inverse of the greatest weight of a flame; how far lights may be from the roots that they
+    /// are counted from, and half the inverse of that; the inverse of the number of ages that make
+    /// the place of a light.
+    pub light_scale: [f32; 4],
     /// Kind of roots (`ROOTS_` constants), the fire's key, that of the noise, flags
     /// (`FIRE_` constants).
     pub kinds: [u32; 4],
@@ -125,6 +135,8 @@ pub struct FireFrame {
     pub faces: [u32; 4],
     /// The first frame; frames of kindling; frames that a flame burns, 0 for ever; frames of growth.
     pub times: [u32; 4],
+    /// First point light and how many; first and last age that its place is made of.
+    pub lights: [u32; 4],
 }
 
 /// A flame that is told by itself. Of its extents, those below 0 are the fire's.

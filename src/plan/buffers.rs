@@ -2,9 +2,9 @@
 
 use super::Plan;
 use crate::layout::{
-    AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, FLAME_STEPS, FireFrame, Flame, FlameDisc,
-    FlockFrame, Frame, FrameStats, Lamp, ListedFlame, Node, Particle, Planet, Pose, Relation,
-    SystemFrame, SystemRow, Wind,
+    AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, FLAME_LIGHTS, FLAME_STEPS, FireFrame,
+    Flame, FlameDisc, FlameLight, FlockFrame, Frame, FrameStats, Ground, Lamp, ListedFlame, Node,
+    Particle, Pillar, Planet, Pose, Relation, SystemFrame, SystemRow, Wind,
 };
 
 /// What a buffer is for.
@@ -75,6 +75,8 @@ pub enum Count {
     Covers,
     /// One a pixel, in whole fours, if there is a planet.
     PlanetPixels,
+    /// One a pixel, in whole fours, if there is a ground.
+    GroundPixels,
     /// So many a pixel, in whole fours, if anything covers.
     CoveredPixels(u32),
     /// A list of the backend's.
@@ -206,6 +208,21 @@ pub static BUFFERS: &[Buffer] = {
             Count::Fixed(Plan::MOST_LAMPS),
         ),
         buffer_of("planet_pixels", State, "vec4<u32>", 16, Count::PlanetPixels),
+        buffer_of(
+            "grounds",
+            Input,
+            "Ground",
+            size_of::<Ground>(),
+            Count::Fixed(1),
+        ),
+        buffer_of(
+            "pillars",
+            Input,
+            "Pillar",
+            size_of::<Pillar>(),
+            Count::Fixed(Plan::MOST_PILLARS),
+        ),
+        buffer_of("ground_pixels", State, "vec4<u32>", 16, Count::GroundPixels),
         buffer_of("curve_points", Input, "vec4<f32>", 16, Count::CurvePoints),
         buffer_of("mesh_faces", Input, "vec4<f32>", 16, Count::MeshFaces(3)),
         buffer_of("mesh_choices", Input, "vec2<u32>", 8, Count::MeshFaces(1)),
@@ -356,6 +373,20 @@ pub static BUFFERS: &[Buffer] = {
             size_of::<FlameDisc>(),
             Count::Flames(FLAME_STEPS),
         ),
+        buffer_of(
+            "flame_sums",
+            State,
+            "u32",
+            4,
+            Count::Fixed(8 * FLAME_LIGHTS),
+        ),
+        buffer_of(
+            "flame_lights",
+            State,
+            "FlameLight",
+            size_of::<FlameLight>(),
+            Count::Fixed(FLAME_LIGHTS),
+        ),
         buffer_of("flame_bounds", State, "vec4<u32>", 16, Count::Flames(1)),
         buffer_of("covers", State, "Cover", size_of::<Cover>(), Count::Covers),
         buffer_of("cover_counts", State, "u32", 4, Count::Fixed(8)),
@@ -418,7 +449,10 @@ impl Buffer {
             Count::PlanetPixels if plan.uses.planet => {
                 (plan.width * plan.height).next_multiple_of(4)
             }
-            Count::PlanetPixels => 0,
+            Count::GroundPixels if plan.uses.ground => {
+                (plan.width * plan.height).next_multiple_of(4)
+            }
+            Count::PlanetPixels | Count::GroundPixels => 0,
             Count::Pixels(each) => (plan.width * plan.height).next_multiple_of(4) * each,
             Count::Backend => return None,
         })

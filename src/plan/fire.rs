@@ -3,6 +3,8 @@
 use glam::{UVec4, Vec3};
 
 use super::Plan;
+use super::blackbody::blackbody;
+use super::lights;
 use super::meshes::MeshTables;
 use super::system::{name_key, pose_of};
 use crate::exact::{normalize_exact, snap};
@@ -21,6 +23,9 @@ const NOISE_TAG: u32 = 0x666c_6d65;
 /// Steps from the root to the tip.
 const STEPS_UP: f32 = (FLAME_STEPS - 1) as f32;
 
+/// The coolest that glows.
+const LEAST_KELVIN: f32 = 1000.0;
+
 /// All that is known of the fires in one frame: the fires, the flames told one by one, and looks by
 /// age, [`FLAME_STEPS`] for each fire.
 type Fires = (Vec<FireFrame>, Vec<layout::ListedFlame>, Vec<AgeLook>);
@@ -30,7 +35,7 @@ pub(super) fn fires_of(now: &Scene, earlier: &Scene, meshes: &MeshTables, frame:
     let mut fires = Vec::new();
     let mut listed = Vec::new();
     let mut looks = Vec::new();
-    let mut first = 0;
+    let (mut first, mut first_light) = (0, 0);
     for (fire, before) in now.fires.iter().zip(&earlier.fires) {
         let members = [
             first,
@@ -38,13 +43,20 @@ pub(super) fn fires_of(now: &Scene, earlier: &Scene, meshes: &MeshTables, frame:
             listed.len() as u32,
             fire.listed.len() as u32,
         ];
+        let of_fire: Vec<AgeLook> = (0..FLAME_STEPS).map(|age| look_at(fire, age)).collect();
+        let lights = lights::ages_of(fire, first_light);
+        first_light += lights[1];
+        let light = lights::light_of(fire, &of_fire, meshes);
         fires.push(FireFrame {
             members,
+            lights,
+            light: light.color,
+            light_scale: light.scale,
             ..fire_frame(fire, before, meshes, now.seed, frame)
         });
         first += fire.count();
         listed.extend(fire.listed.iter().map(listed_flame));
-        looks.extend((0..FLAME_STEPS).map(|age| look_at(fire, age)));
+        looks.extend(of_fire);
     }
     (fires, listed, looks)
 }
@@ -129,6 +141,16 @@ fn fire_frame(
             burning.lifetime.unwrap_or(0),
             burning.growth_frames,
         ],
+        details: [
+            fire.details as f32,
+            fire.detail_spread,
+            fire.detail_alpha,
+            0.0,
+        ]
+        .map(snap),
+        light: [0.0; 4],
+        light_scale: [0.0; 4],
+        lights: [0; 4],
     }
 }
 
@@ -171,7 +193,12 @@ fn look_at(fire: &Fire, age: u32) -> AgeLook {
     } = fire.profile;
     let width = base_width + swell * sin_turns(0.5 * share);
     let height = base_height + height_growth * age as f32;
-    let stop = stop_at(&fire.ramp, share);
+    let mut stop = stop_at(&fire.ramp, share);
+    if let Some([root, tip]) = fire.blackbody {
+        let kelvin = root + (tip - root) * share;
+        stop.center = blackbody(kelvin);
+        stop.rim = blackbody((kelvin * fire.blackbody_rim).max(LEAST_KELVIN));
+    }
     let with = |[x, y, z]: [f32; 3], w: f32| [x, y, z, w].map(snap);
     AgeLook {
         center: with(stop.center, stop.alpha),
@@ -203,6 +230,32 @@ fn stop_at(ramp: &[RampStop], age: f32) -> RampStop {
         rim: mixed(low.rim, high.rim),
         alpha: mix(low.alpha, high.alpha),
         rim_alpha: mix(low.rim_alpha, high.rim_alpha),
+    }
+}
+
+/// Passes of details: in each octave twice as many as in the one before.
+pub(super) fn detail_passes(scene: &Scene) -> u32 {
+    let octaves = scene.fires.iter().map(|fire| fire.details).max();
+    (2 << octaves.unwrap_or(0)) - 2
+}
+
+/// A pass over all flames: octave 0 is that of the particles on their ways.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct DetailPass {
+    /// Which octave: particles are 2^octave times smaller.
+    pub octave: u32,
+    /// Which of its 2^octave passes.
+    pub copy: u32,
+}
+
+impl DetailPass {
+    /// The pass at that place among those of details.
+    pub fn nth(at: u32) -> Self {
+        let octave = (at + 2).ilog2();
+        Self {
+            octave,
+            copy: at + 2 - (1 << octave),
+        }
     }
 }
 

@@ -4,13 +4,14 @@ use super::Plan;
 use super::camera::{camera_frame, layer_planes};
 use super::fire::fires_of;
 use super::flock::flocks_of;
-use super::planet::{outline_of, planet_of};
+use super::ground::{ground_of, has_ground};
+use super::planet::{lamps_of, outline_of, planet_of};
 use super::system::{Moments, bounds_of, system_frame, system_row};
 use super::tree::{bears_systems, broods, pose_of, row_spread};
 use super::wind::winds_of;
 use crate::layout::{
-    AgeLook, Bound, Brood, FireFrame, FlockFrame, Frame, Lamp, ListedFlame, Planet, Pose, Relation,
-    SYSTEM_BEARS_SYSTEMS, SystemFrame, SystemRow, Wind,
+    AgeLook, Bound, Brood, FireFrame, FlockFrame, Frame, Ground, Lamp, ListedFlame, Pillar, Planet,
+    Pose, Relation, SYSTEM_BEARS_SYSTEMS, SystemFrame, SystemRow, Wind,
 };
 use crate::scene::Scene;
 
@@ -38,8 +39,12 @@ pub struct FrameInputs {
     pub layer_planes: Vec<[f32; 4]>,
     /// The planet, if there is one.
     pub planets: Vec<Planet>,
-    /// Lights near it, at most [`Plan::MOST_LAMPS`].
+    /// Lights near it and the ground, at most [`Plan::MOST_LAMPS`].
     pub lamps: Vec<Lamp>,
+    /// The ground, if there is a surface besides a planet.
+    pub grounds: Vec<Ground>,
+    /// Cylinders before it, at most [`Plan::MOST_PILLARS`].
+    pub pillars: Vec<Pillar>,
     /// One a flock.
     pub flocks: Vec<FlockFrame>,
     /// What flocks make of each other, flock by flock.
@@ -98,8 +103,15 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
     let winds = winds_of(&now, number);
     let layer_planes = layer_planes(&now);
     let (flocks, relations) = flocks_of(&now, &earlier);
-    let (planets, lamps) = planet_of(&now);
+    let planets = planet_of(&now);
+    let lamps = if planets.is_empty() && !has_ground(&now) {
+        Vec::new()
+    } else {
+        lamps_of(&now).0
+    };
     let (fires, listed_flames, age_looks) = fires_of(&now, &earlier, &plan.meshes, number);
+    let flame_lights = fires.iter().map(|fire| fire.lights[1]).sum();
+    let (grounds, pillars) = ground_of(&now, flame_lights);
     let frame = Frame {
         frame: number.cast_unsigned(),
         wind_count: winds.len() as u32,
@@ -121,6 +133,8 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
         layer_planes,
         planets,
         lamps,
+        grounds,
+        pillars,
         flocks,
         relations,
         fires,

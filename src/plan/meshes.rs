@@ -2,8 +2,10 @@
 
 use std::sync::Arc;
 
+use glam::Vec3;
+
 use super::PlanError;
-use crate::exact::snap;
+use crate::exact::{length3, snap};
 use crate::mesh::{MOST_TRIANGLES, Mesh};
 use crate::scene::Scene;
 
@@ -18,6 +20,8 @@ pub struct MeshTables {
     pub choices: Vec<[u32; 2]>,
     /// Digest, first face and number of faces of each mesh.
     stored: Vec<(u64, u32, u32)>,
+    /// How far the farthest corner of each is from the origin.
+    reaches: Vec<f32>,
 }
 
 impl MeshTables {
@@ -43,6 +47,12 @@ impl MeshTables {
         found.map(|(_, first, count)| (*first, *count))
     }
 
+    /// How far its farthest corner is from the origin; 0 if it is not stored.
+    pub(super) fn reach_of(&self, mesh: &Mesh) -> f32 {
+        let at = self.stored.iter().position(|own| own.0 == mesh.digest());
+        at.map_or(0.0, |at| self.reaches[at])
+    }
+
     /// Whether all meshes of `other` are stored here, too.
     pub(super) fn cover(&self, other: &Self) -> bool {
         let is_here = |it: &(u64, u32, u32)| self.stored.iter().any(|own| own.0 == it.0);
@@ -59,9 +69,13 @@ impl MeshTables {
             });
         }
         let mut areas = Vec::with_capacity(count);
+        let mut reach = 0.0f32;
         for face in 0..count {
             let normal = mesh.doubled_area(face);
             let [a, b, c] = mesh.corners(face);
+            for corner in mesh.corners(face) {
+                reach = reach.max(length3(Vec3::from(corner)));
+            }
             let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
             areas.push(length);
             for (at, i) in [a, less(b, a), less(c, a)].into_iter().zip(0..) {
@@ -72,6 +86,7 @@ impl MeshTables {
         }
         let of = |[below, other]: [u32; 2]| [below, other + first as u32];
         self.choices.extend(choices(&areas).into_iter().map(of));
+        self.reaches.push(reach);
         self.stored
             .push((mesh.digest(), first as u32, count as u32));
         Ok(())

@@ -4,13 +4,16 @@
 //! more than a multiplication is computed here, once, with [`crate::exact`] math, so that every
 //! backend starts from the same bits.
 
+mod blackbody;
 mod bounds;
 mod buffers;
 mod camera;
 mod curves;
 mod fire;
 mod flock;
+mod ground;
 mod inputs;
+mod lights;
 mod meshes;
 mod planet;
 mod population;
@@ -22,6 +25,7 @@ mod uses;
 mod wind;
 
 pub use buffers::{BUFFERS, Buffer, BufferRole, Count, buffer};
+pub use fire::DetailPass;
 pub use inputs::FrameInputs;
 pub use meshes::MeshTables;
 pub use population::Population;
@@ -91,6 +95,8 @@ pub struct Plan {
     pub fire_count: u32,
     /// Flames of all fires.
     pub flame_count: u32,
+    /// How often the particles along flames are drawn again, smaller, beside their ways.
+    pub detail_passes: u32,
     /// Those of them that are told one by one.
     pub listed_flame_count: u32,
     /// Pixels across.
@@ -114,8 +120,10 @@ impl Plan {
     pub const MOST_BOUNDS: u32 = 4096;
     /// Parts of the wind, at most.
     pub const MOST_WINDS: u32 = 16;
-    /// Lights near the planet, at most.
+    /// Lights near the planet and the ground, at most.
     pub const MOST_LAMPS: u32 = 16;
+    /// Cylinders before the ground, at most.
+    pub const MOST_PILLARS: u32 = 16;
     /// Planes between layers, at most.
     pub const MOST_LAYERS: u32 = 8;
 
@@ -144,6 +152,9 @@ impl Plan {
         check_bounds(&scenes)?;
         tree::check_rings(scene)?;
         planet::check_planet(scene)?;
+        for scene in &scenes {
+            ground::check_ground(scene)?;
+        }
         for scene in &scenes {
             flock::check_looks(scene)?;
         }
@@ -187,6 +198,7 @@ impl Plan {
             cell_count: most(&|scene| flock::cell_count(scene)),
             fire_count: scene.fires.len() as u32,
             flame_count: scene.fires.iter().map(Fire::count).sum(),
+            detail_passes: most(&|scene| fire::detail_passes(scene)),
             listed_flame_count: scene
                 .fires
                 .iter()
@@ -293,6 +305,8 @@ impl Plan {
         match stage {
             Stage::Tree => self.tree_levels > 0,
             Stage::Planet => self.uses.planet,
+            Stage::Ground => self.uses.ground,
+            Stage::Lights => self.uses.ground && self.fire_count > 0,
             Stage::Hatch | Stage::Cells | Stage::Steer => self.flock_count > 0,
             Stage::Shapes | Stage::Cover => self.uses.covers,
             Stage::Kindle | Stage::Trace | Stage::FlameDiscs | Stage::Glow => self.fire_count > 0,
@@ -375,7 +389,8 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
     };
     let fixed = |scene: &Scene| {
         (
-            (tree(scene), scene.max_systems, scene.planet.is_some()),
+            (tree(scene), scene.max_systems),
+            (scene.planet.is_some(), ground::has_ground(scene)),
             blends(scene),
             scene.image.width,
             scene.image.height,
@@ -392,7 +407,7 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
                 "the change at frame {} alters what holds for a whole run",
                 turn.frame
             ),
-            help: "the list of systems, their names, parents and `blend`, whether there is a planet, the flocks' and fires' names and counts, the \
+            help: "the list of systems, their names, parents and `blend`, whether there is a planet, whether a ground or pillars, the flocks' and fires' names and counts, the \
                    number of layers, the image size, the seed and the capacity stay as the scene has \
                    them"
                 .into(),

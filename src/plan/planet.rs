@@ -11,10 +11,10 @@ use crate::scene::{Projection, Scene};
 /// Marks the hash that makes the key of the planet's noise.
 const KEY_TAG: u32 = 0x706c_616e;
 
-/// The planet as a frame sees it, and the lights near it.
-pub(super) fn planet_of(scene: &Scene) -> (Vec<layout::Planet>, Vec<layout::Lamp>) {
+/// The planet as a frame sees it.
+pub(super) fn planet_of(scene: &Scene) -> Vec<layout::Planet> {
     let Some(planet) = scene.planet else {
-        return (Vec::new(), Vec::new());
+        return Vec::new();
     };
     let center = Vec3::from(planet.center);
     let eye = Vec3::from(scene.camera.position);
@@ -23,17 +23,7 @@ pub(super) fn planet_of(scene: &Scene) -> (Vec<layout::Planet>, Vec<layout::Lamp
     let with = |v: Vec3, w: f32| [v.x, v.y, v.z, w].map(snap);
     let color = |color: [f32; 3], w: f32| with(Vec3::from(color), w);
     let light = &scene.light;
-    let lamps: Vec<layout::Lamp> = scene
-        .lamps
-        .iter()
-        .map(|lamp| layout::Lamp {
-            place: with(
-                Vec3::from(lamp.position) - center,
-                lamp.distance * lamp.distance,
-            ),
-            color: color(lamp.color, 0.0),
-        })
-        .collect();
+    let (lamps, _) = lamps_of(scene);
     let of_frame = layout::Planet {
         place: with(ahead, planet.radius),
         eye: with(eye, squared - planet.radius * planet.radius),
@@ -49,7 +39,23 @@ pub(super) fn planet_of(scene: &Scene) -> (Vec<layout::Planet>, Vec<layout::Lamp
             0,
         ],
     };
-    (vec![of_frame], lamps)
+    vec![of_frame]
+}
+
+/// The scene's lamps, and where their places are counted from: the planet's centre, if there is one.
+pub(super) fn lamps_of(scene: &Scene) -> (Vec<layout::Lamp>, Vec3) {
+    let center = scene
+        .planet
+        .map_or(Vec3::ZERO, |planet| Vec3::from(planet.center));
+    let with = |v: Vec3, w: f32| [v.x, v.y, v.z, w].map(snap);
+    let lamps = scene.lamps.iter().map(|lamp| layout::Lamp {
+        place: with(
+            Vec3::from(lamp.position) - center,
+            lamp.distance * lamp.distance,
+        ),
+        color: with(Vec3::from(lamp.color), 0.0),
+    });
+    (lamps.collect(), center)
 }
 
 /// The plane of the circle where lines from the eye touch the planet: R^2 / D from its centre.

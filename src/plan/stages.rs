@@ -25,6 +25,10 @@ pub enum Stage {
     Kindle,
     /// The trajectories of flames through the wind.
     Trace,
+    /// Flames give light to the points that stand for them.
+    Lights,
+    /// The ground and the pillars on it, in that light.
+    Ground,
     /// What covers, as it is seen.
     Shapes,
     /// What covers, from near to far, in every pixel.
@@ -169,6 +173,20 @@ pub static STAGES: &[StageInfo] = &[
         draws: false,
     },
     StageInfo {
+        stage: Stage::Lights,
+        name: "gather",
+        reads: &["fires", "flames", "flame_steps"],
+        writes: &["flame_sums", "flame_lights"],
+        draws: true,
+    },
+    StageInfo {
+        stage: Stage::Ground,
+        name: "ground",
+        reads: &["frame", "grounds", "pillars", "lamps", "flame_lights"],
+        writes: &["ground_pixels"],
+        draws: true,
+    },
+    StageInfo {
         stage: Stage::Shapes,
         name: "shapes",
         reads: &[
@@ -238,8 +256,17 @@ pub static STAGES: &[StageInfo] = &[
     StageInfo {
         stage: Stage::Glow,
         name: "glow",
-        reads: &["frame", "flame_discs", "flame_bounds"],
-        writes: &["light_low", "light_high"],
+        reads: &[
+            "frame",
+            "fires",
+            "age_looks",
+            "flames",
+            "flame_steps",
+            "layer_planes",
+            "flame_discs",
+            "flame_bounds",
+        ],
+        writes: &["light_low", "light_high", "flame_discs", "flame_bounds"],
         draws: true,
     },
     StageInfo {
@@ -249,6 +276,7 @@ pub static STAGES: &[StageInfo] = &[
             "frame",
             "light_low",
             "light_high",
+            "ground_pixels",
             "planet_pixels",
             "cover_rg",
             "cover_bt",
@@ -264,6 +292,8 @@ impl Stage {
         match self {
             Self::Tree => !inputs.broods.is_empty(),
             Self::Planet => !inputs.planets.is_empty(),
+            Self::Ground => !inputs.grounds.is_empty(),
+            Self::Lights => !inputs.grounds.is_empty() && !inputs.fires.is_empty(),
             Self::Hatch => inputs.hatches && !inputs.flocks.is_empty(),
             Self::Cells | Self::Steer => !inputs.flocks.is_empty(),
             Self::Kindle | Self::Trace | Self::FlameDiscs | Self::Glow => !inputs.fires.is_empty(),

@@ -19,6 +19,7 @@ impl Plan {
         self.uses = Uses {
             covers: self.uses.covers,
             planet: self.uses.planet,
+            ground: self.uses.ground,
             triangles: self.uses.triangles,
             ..Uses::all()
         };
@@ -51,6 +52,7 @@ impl Plan {
         plan.relation_count = self.relation_count;
         plan.cell_count = self.cell_count;
         plan.boid_cover_count = self.boid_cover_count;
+        plan.detail_passes = self.detail_passes;
         plan.row_count = self.row_count;
         plan.uses = self.uses;
         plan.first_frame = self.first_frame;
@@ -90,6 +92,12 @@ impl Plan {
                 "has more relations of flocks, grids of more cells, or more boids to be seen, than \
                  the run began with"
                     .into(),
+                begin_anew,
+            );
+        }
+        if plan.detail_passes > self.detail_passes {
+            return refuse(
+                "has more `details` of flames than the run began with".into(),
                 begin_anew,
             );
         }

@@ -72,6 +72,10 @@ uses! {
     crowds "CROWDS";
     /// A planet, which splits the picture.
     planet "PLANET";
+    /// A ground or pillars behind everything.
+    ground "GROUND";
+    /// Flames with details.
+    details "DETAILS";
     /// Flocks whose opposite edges are the same.
     torus "TORUS";
     /// What covers what is behind it.
@@ -116,6 +120,8 @@ impl Uses {
         let winds = inputs.winds.iter().map(Self::of_wind);
         let own = Self {
             planet: !inputs.planets.is_empty(),
+            details: inputs.fires.iter().any(|fire| fire.details[0] > 0.0),
+            ground: !inputs.grounds.is_empty(),
             layers: !inputs.layer_planes.is_empty(),
             covers: inputs.flocks.iter().any(is_drawn),
             triangles: inputs.flocks.iter().any(has_triangles),

@@ -55,6 +55,7 @@ pub const BUILTIN: &[BuiltinScene] = builtin![
     "fireworks-red",
     "flames-cohesion",
     "flames-compare",
+    "flames-rejected",
     "flock",
     "flock-million",
     "fountain",

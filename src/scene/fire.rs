@@ -53,10 +53,45 @@ pub struct Fire {
     pub inner_radius: f32,
     /// Opacity of that layer's centre, as a factor of the first's, 0 ..= 100. Default 0.
     pub inner_alpha: f32,
+    /// Octaves of smaller particles beside its flames, 0 ..= 4. Default 0.
+    pub details: u32,
+    /// How far noise carries them off, as a share of the width, 0 ..= 100. Default 1.
+    pub detail_spread: f32,
+    /// Their opacity as a factor, 0 ..= 100. Default 0.5.
+    pub detail_alpha: f32,
+    /// What it throws on surfaces.
+    pub lights: FireLights,
     /// Colours by age, in ascending order of ages, 1 to 16.
     pub ramp: Vec<RampStop>,
+    /// Temperatures at root and tip in kelvin, 1,000 ..= 20,000 each, whose colours stand for those of
+    /// the ramp.
+    pub blackbody: Option<[f32; 2]>,
+    /// The temperature of a particle's rim, as a share, 0.1 ..= 1. Default 0.8.
+    pub blackbody_rim: f32,
     /// When its flames burn.
     pub burning: Burning,
+}
+
+/// The light of a fire's flames on surfaces (Perry 1994, 3.2.4).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FireLights {
+    /// Factor of it, 0 ..= 1,000,000. Default 1: what the flames send to the picture.
+    pub gain: f32,
+    /// Point lights that stand for all flames, 0 ..= 64. Default 1.
+    pub count: u32,
+    /// Where a flame's light is. Default the mean of its places.
+    pub from: LightFrom,
+}
+
+/// Where a flame's light is (Perry 1994, 3.2.4).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LightFrom {
+    /// At the mean of its 25 places.
+    Mean,
+    /// At that of age 12.
+    Middle,
+    /// At the last.
+    Tip,
 }
 
 /// Where flames stand, in the fire's space.
@@ -108,15 +143,20 @@ impl Roots {
         }
     }
 
-    /// Makes them so many times as many, at least one.
-    pub fn scale(&mut self, share: f64) {
+    /// Makes them so many, if any stand there.
+    pub fn set_count(&mut self, wanted: u32) {
         match self {
             Self::Listed => {}
             Self::Line { count, .. }
             | Self::Circle { count, .. }
             | Self::Disc { count, .. }
-            | Self::Mesh { count, .. } => *count = ((f64::from(*count) * share) as u32).max(1),
+            | Self::Mesh { count, .. } => *count = wanted,
         }
+    }
+
+    /// Makes them so many times as many, at least one.
+    pub fn scale(&mut self, share: f64) {
+        self.set_count(((f64::from(self.count()) * share) as u32).max(1));
     }
 }
 

@@ -42,14 +42,16 @@ pub use builtin::{BUILTIN, BUILTIN_FILES, BuiltinScene};
 pub use error::SceneError;
 pub(crate) use error::shortened;
 pub use extinction::{Extinction, Side};
-pub use fire::{Burning, Fire, ListedFlame, Profile, RampStop, Roots};
+pub use fire::{Burning, Fire, FireLights, LightFrom, ListedFlame, Profile, RampStop, Roots};
 pub use flock::{BoidShape, Corners, Dimensions, Edges, Flock, Relation, RelationKind, Rule};
 pub use generation::{Attractor, EjectionAxis, EjectionSpread, GenerationShape};
 pub use inherit::Inherit;
 pub use knobs::{Knob, KnobValue};
 pub use load::{Loader, knobs, load, load_with, parse};
 pub(crate) use parse::Draft;
-pub use picture::{Camera, Image, Lamp, Layer, Light, Planet, Projection, ShutterWeighting};
+pub use picture::{
+    Camera, Ground, Image, Lamp, Layer, Light, Pillar, Planet, Projection, ShutterWeighting,
+};
 pub(crate) use set::Set;
 pub use system::{
     Blend, ChildUp, Integration, Intensity, ParticleShape, ParticleSpace, Shading, StreakLight,
@@ -114,8 +116,12 @@ pub struct Scene {
     pub flocks: Vec<Flock>,
     /// A ball with a surface.
     pub planet: Option<Planet>,
-    /// Lights near it, at most 16.
+    /// Lights near it and the ground, at most 16.
     pub lamps: Vec<Lamp>,
+    /// A plane behind everything.
+    pub ground: Option<Ground>,
+    /// Cylinders before it, at most 16.
+    pub pillars: Vec<Pillar>,
     /// The fires, in the order of the file, at most 64; names unique.
     pub fires: Vec<Fire>,
     /// The parts of the wind, at most 16; it is their sum.

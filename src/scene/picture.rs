@@ -68,7 +68,43 @@ pub struct Planet {
     pub octaves: u32,
 }
 
-/// A light near the planet (Reeves 1983, section 3).
+/// A plane behind everything (Perry 1994, 3.2.4: flames light surfaces).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ground {
+    /// A point of it, world space. Default the origin.
+    pub position: [f32; 3],
+    /// Where it faces, world space, not zero. Default y.
+    pub normal: [f32; 3],
+    /// How far from the point it fades away, world units, 0.001 ..= 1,000,000.
+    pub radius: f32,
+    /// The part of the light that it reflects, each 0 ..= 1. Default 0.3.
+    pub color: [f32; 3],
+    /// How far its colour strays, as a share, 0 ..= 1. Default 0.
+    pub contrast: f32,
+    /// Noise cells a world unit, 0 ..= 10,000. Default 1.
+    pub scale: f32,
+    /// Patterns on top of each other, 1 ..= 8. Default 4.
+    pub octaves: u32,
+}
+
+/// An upright cylinder before the ground, such as a candle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pillar {
+    /// The middle of its foot, world space. Default the origin.
+    pub position: [f32; 3],
+    /// World units, 0.001 ..= 10,000.
+    pub radius: f32,
+    /// World units along y, 0.001 ..= 10,000.
+    pub height: f32,
+    /// The part of the light that it reflects, each 0 ..= 1. Default 0.3.
+    pub color: [f32; 3],
+    /// The share of the light of flames that it lets through, 0 ..= 100. Default 0.
+    pub translucence: f32,
+    /// How far that comes, world units, 0.001 ..= 10,000. Default 0.3.
+    pub depth: f32,
+}
+
+/// A light near the planet and the ground (Reeves 1983, section 3).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lamp {
     /// Where it is, world space.

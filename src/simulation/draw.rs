@@ -108,7 +108,14 @@ impl Simulation {
         };
         let mut inputs = inputs.clone();
         inputs.frame.background = [0.0; 4];
-        // The planet is of no layer: it hides, and shows nothing of itself.
+        // The ground and the planet are of no layer: they hide, and show nothing of themselves.
+        for ground in &mut inputs.grounds {
+            let [.., contrast] = ground.color;
+            ground.color = [0.0, 0.0, 0.0, contrast];
+        }
+        for pillar in &mut inputs.pillars {
+            pillar.color = [0.0; 4];
+        }
         for planet in &mut inputs.planets {
             planet.color = [0.0; 4];
         }

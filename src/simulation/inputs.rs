@@ -1,7 +1,8 @@
 //! Whether inputs of the caller's making fit the plan.
 
 use crate::layout::{
-    FLAME_STEPS, FireFrame, FlockFrame, ROOTS_MESH, SHAPE_CURVE, SHAPE_MESH, SystemFrame, SystemRow,
+    FLAME_LIGHTS, FLAME_STEPS, FireFrame, FlockFrame, Ground, ROOTS_MESH, SHAPE_CURVE, SHAPE_MESH,
+    SystemFrame, SystemRow,
 };
 use crate::plan::{FrameInputs, Plan, PlanError};
 
@@ -36,11 +37,21 @@ pub(super) fn check_sizes(plan: &Plan, inputs: &FrameInputs) -> Result<(), PlanE
         ("winds", inputs.winds.len(), Plan::MOST_WINDS),
         ("planets", inputs.planets.len(), u32::from(plan.uses.planet)),
         ("lamps", inputs.lamps.len(), Plan::MOST_LAMPS),
+        ("grounds", inputs.grounds.len(), u32::from(plan.uses.ground)),
+        ("pillars", inputs.pillars.len(), Plan::MOST_PILLARS),
         ("layer planes", inputs.layer_planes.len(), Plan::MOST_LAYERS),
     ] {
         if count > most as usize {
             return refuse(format!("{count} {what}"), format!("at most {most}"));
         }
+    }
+    if !surfaces_fit(inputs) {
+        return refuse(
+            "inputs with a ground that counts others than there are".into(),
+            format!(
+                "its lamps and pillars as listed, and point lights of flames within {FLAME_LIGHTS}"
+            ),
+        );
     }
     let end = |system: &SystemFrame| u64::from(system.first_bound) + u64::from(system.bound_count);
     let last = inputs.systems.iter().map(end).max().unwrap_or(0);
@@ -85,6 +96,23 @@ pub(super) fn check_sizes(plan: &Plan, inputs: &FrameInputs) -> Result<(), PlanE
         );
     }
     Ok(())
+}
+
+/// Whether grounds count the lamps and pillars that are listed, and lights of flames that there can be.
+fn surfaces_fit(inputs: &FrameInputs) -> bool {
+    let is_right = |ground: &Ground| {
+        ground.kinds[2] as usize <= inputs.lamps.len()
+            && ground.kinds[3] <= FLAME_LIGHTS
+            && ground.counts[0] as usize == inputs.pillars.len()
+    };
+    let has_room = |fire: &FireFrame| {
+        let [first, count, youngest, oldest] = fire.lights;
+        u64::from(first) + u64::from(count) <= u64::from(FLAME_LIGHTS)
+            && count <= fire.members[1]
+            && youngest <= oldest
+            && oldest < FLAME_STEPS
+    };
+    inputs.grounds.iter().all(is_right) && inputs.fires.iter().all(has_room)
 }
 
 /// Whether fires have the plan's flames, and what they name is there.

@@ -38,13 +38,19 @@ impl Simulation {
         let [rg, bt] = ["cover_rg", "cover_bt"].map(|name| self.backend.read(name));
         let (rg, bt) = (rg?, bt?);
         let (rg, bt) = (rg.as_chunks::<2>().0, bt.as_chunks::<2>().0);
-        let ground = self.backend.read("planet_pixels")?;
-        let ground = ground.as_chunks::<4>().0;
+        let [ground, planet] =
+            ["ground_pixels", "planet_pixels"].map(|name| self.backend.read(name));
+        let (ground, planet) = (ground?, planet?);
+        let (ground, planet) = (ground.as_chunks::<4>().0, planet.as_chunks::<4>().0);
         let value = |(at, (low, high)): (usize, (&u32, &u32))| {
             let covers = rg.get(at / 3).copied().zip(bt.get(at / 3).copied());
             // As `resolve` has it, so that bytes and floats are of the same value.
-            let ground = ground.get(at / 3).copied();
-            let behind = behind(&frame, Behind { ground, covers }, at % 3);
+            let what = Behind {
+                ground: ground.get(at / 3).copied(),
+                planet: planet.get(at / 3).copied(),
+                covers,
+            };
+            let behind = behind(&frame, what, at % 3);
             linear_of(light_of(*low, *high) * frame.exposure + behind)
         };
         let limbs = low.par_iter().zip(&high).enumerate();

@@ -152,6 +152,34 @@ fn r87_scenes_of_boids_scale_by_boids() {
 }
 
 #[test]
+fn scenes_of_fires_alone_scale_by_their_flames() {
+    let text = "camera = { position = [0, 1, 5], target = [0, 0, 0] }\n\
+                [[fire]]\nname = \"line\"\nroots = { kind = \"line\", length = 2, count = 20 }\n\
+                [[fire]]\nname = \"disc\"\nroots = { kind = \"disc\", radius = 1, count = 50 }\n\
+                [[fire.flame]]\nposition = [0, 0, 0]\n";
+    let scene = motes::scene::parse(text, "fires.toml", "fires").expect("a good scene");
+    for flames in [5, 71, 1000, 100_000] {
+        let scaled = job(&scene, flames).scaled().expect("it scales");
+        let counts: Vec<u32> = scaled.fires.iter().map(|fire| fire.count()).collect();
+        assert_eq!(counts.iter().sum::<u32>(), flames);
+        let share = f64::from(counts[0]) / f64::from(flames - 1);
+        assert!(
+            (share - 2.0 / 7.0).abs() < 1.0 / f64::from(flames - 1),
+            "{counts:?}"
+        );
+    }
+    let runs = run(&[Target::Cpu], &job(&scene, 71), &counted(3), &mut |_| true);
+    assert_eq!(runs.expect("it is measured")[0].live, Some(71));
+    for (flames, said) in [(1, "are listed"), (100_001, "at most 100000 flames")] {
+        let error = job(&scene, flames).scaled().expect_err("it cannot be");
+        assert!(
+            error.is_users_fault() && error.to_string().contains(said),
+            "{error}"
+        );
+    }
+}
+
+#[test]
 fn whoever_watches_may_stop_it_at_any_frame() {
     for most in [0, 1, 41, 43] {
         let mut frames = 0;

@@ -9,7 +9,7 @@ use super::scene_of;
 pub(crate) fn all_kinds_of_fires() -> Scene {
     let fires = [
         // Candles, some with extents of their own; one behind the eye, one that comes later.
-        "name = \"candles\"\nspeed = \"free\"\nstart_speed = 4\nheight = { mean = 0.8, var = 0.2 }\n\
+        "name = \"candles\"\nspeed = \"free\"\nstart_speed = 4\nlights = 3\nheight = { mean = 0.8, var = 0.2 }\n\
          width = { mean = 0.3, var = 0.1 }\nroots = { kind = \"line\", length = 2, count = 3 }\n\
          [[fire.flame]]\nposition = [0.2, 0.1, 0.3]\nheight = 1.5\nbrightness = 2\n\
          [[fire.flame]]\nposition = [0, 1, 6]\nwidth = 0.7\nnormal = [0.3, -0.5, 0.2]\n\
@@ -23,12 +23,12 @@ pub(crate) fn all_kinds_of_fires() -> Scene {
             .to_owned(),
         // Small ones, that cover less than a pixel.
         "name = \"bed\"\nposition = [0, -0.3, -3]\nroots = { kind = \"disc\", radius = 2, count = 40 }\n\
-         height = 0.3\nwidth = 0.02\nramp = [{ age = 0.5, center = [1, 2, 3], rim = [0.5, 0, 0.2], \
+         height = 0.3\nwidth = 0.02\nlight = 30\nlights = 5\nramp = [{ age = 0.5, center = [1, 2, 3], rim = [0.5, 0, 0.2], \
          alpha = 0.5, rim_alpha = 0.25 }]\n"
             .to_owned(),
         "name = \"ball\"\nposition = [0.5, 0.3, -1]\nwind_factor = 3\ninverse_cohesion = 4\n\
-         roots = { kind = \"mesh\", mesh = \"sphere\", scale = 0.5, count = 60 }\nheight = 0.7\n\
-         width = 0.2\nnoisiness = 0.1\ncolor_noise = 0.6\ngravity = [0.2, -1, 0.1]\n"
+         roots = { kind = \"mesh\", mesh = \"sphere\", scale = 0.5, count = 60 }\nlights = 4\nlight_from = \"tip\"\nheight = 0.7\n\
+         width = 0.2\nnoisiness = 0.1\ndetails = 2\ncolor_noise = 0.6\ngravity = [0.2, -1, 0.1]\n"
             .to_owned(),
         // Below a ceiling: in still air, the rise stops what goes down.
         "name = \"ceiling\"\nwind_factor = 0\nnoisiness = 0\nheight = 0.5\n\
@@ -50,7 +50,30 @@ pub(crate) fn all_kinds_of_fires() -> Scene {
     scene_of(&format!(
         "image = {{ width = 93, height = 61, background = [0.01, 0, 0.02] }}
          camera = {{ position = [0, 0.6, 3], target = [0, 0.4, 0] }}
+         light = {{ direction = [1, 1, 1], color = [0.1, 0.1, 0.2], ambient = [0.02, 0.03, 0.01] }}
          {text}
+         [ground]
+         position = [0, -0.6, 0]
+         normal = [0.05, 1, 0.1]
+         radius = 9
+         contrast = 0.6
+         scale = 3
+         octaves = 3
+         [[pillar]]
+         position = [-0.5, -0.6, 0.4]
+         radius = 0.2
+         height = 0.7
+         translucence = 0.5
+         depth = 0.2
+         [[pillar]]
+         position = [0.6, -0.7, -0.3]
+         radius = 0.3
+         height = 1.6
+         color = [0.2, 0.5, 0.7]
+         [[lamp]]
+         position = [2, 2, 1]
+         color = [0.5, 0.4, 0.3]
+         distance = 1.5
          [[wind]]
          kind = \"vortex\"
          position = [0.2, 0, 0]

@@ -107,7 +107,7 @@ fn p83_two_layers_make_two_slopes() {
 
 /// The light of each third of a picture of the scene, frame by frame.
 fn thirds(frames: u32) -> Vec<[f64; 3]> {
-    let mut scene = load("flames-compare").expect("it is built in");
+    let mut scene = load("flames-rejected").expect("it is built in");
     (scene.image.width, scene.image.height) = (240, 135);
     let plan = plan(&scene);
     let mut cpu = crate::common::on_cpu(&plan);

@@ -3,8 +3,10 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod details;
 mod fan;
 mod further;
+mod lights;
 mod looks;
 mod roots;
 mod shipped;

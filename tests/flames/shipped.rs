@@ -57,3 +57,56 @@ fn p31_the_edges_of_shipped_flames_go_from_red_over_yellow_to_white() {
         );
     }
 }
+
+/// Red, green and blue across a candle's flame, from its left outline to its middle, where it is
+/// widest, as they come to the picture.
+fn profile() -> Vec<[f64; 3]> {
+    let mut candle = load("candle").expect("it is built in");
+    // The flame alone, upright.
+    candle.fires[0].noisiness = 0.0;
+    candle.fires.truncate(1);
+    let light = drawn(&candle, 30).light;
+    let width = candle.image.width as usize;
+    let lit = |line: &&[[f64; 3]]| line.iter().filter(|pixel| pixel[0] > 0.01).count();
+    let widest = light.chunks(width).max_by_key(lit).expect("it has lines");
+    let first = widest.iter().position(|pixel| pixel[0] > 0.0);
+    let clamped = |pixel: &[f64; 3]| pixel.map(|value| value.min(1.0));
+    widest[first.expect("it is lit")..width / 2]
+        .iter()
+        .map(clamped)
+        .collect()
+}
+
+#[test]
+fn p31_the_colour_profile_of_a_candle_is_that_of_figure_3_4() {
+    let profile = profile();
+    assert!(profile.len() > 40, "{}", profile.len());
+    // Red before green before blue, each rising to the middle, up to saturation.
+    for two in profile.windows(2) {
+        let [red, green, blue] = two[0];
+        assert!(red >= green && green >= blue, "{:?}", two[0]);
+        assert!((0..3).all(|i| two[1][i] >= two[0][i] - 1e-3), "{two:?}");
+    }
+    let saturated = |channel: usize| profile.iter().position(|pixel| pixel[channel] >= 1.0);
+    let [red, green] = [0, 1].map(|channel| saturated(channel).expect("it saturates"));
+    assert!(red + 3 < green, "{red} and {green}");
+    assert!(saturated(2).is_none_or(|blue| green + 3 < blue));
+    // All three ramps begin at the same place (P32).
+    let begins = |channel: usize| profile.iter().position(|pixel| pixel[channel] > 0.0);
+    let begin = [0, 1, 2].map(|channel| begins(channel).expect("it is lit"));
+    assert!(
+        begin.iter().all(|at| at.abs_diff(begin[0]) <= 3),
+        "{begin:?}"
+    );
+}
+
+#[test]
+fn p20_fires_alone_are_a_scene_and_burn() {
+    for scene in shipped().iter().filter(|scene| scene.systems.is_empty()) {
+        let burning = flames(scene, 20)
+            .iter()
+            .filter(|flame| flame.burns())
+            .count();
+        assert!(burning > 0, "{}", scene.name);
+    }
+}

@@ -1,6 +1,6 @@
 //! Fires: roots, defaults, and what is at odds.
 
-use motes::scene::{Burning, Profile, Roots};
+use motes::scene::{Burning, FireLights, LightFrom, Profile, Roots};
 
 use crate::text::{accepted, refused, with};
 
@@ -34,6 +34,15 @@ fn a_fire_alone_is_a_scene_with_the_documented_defaults() {
     assert_eq!((own.wind_factor, own.brightness), (1.0, 1.0));
     assert_eq!((own.color_noise, own.color_noise_scale), (0.0, 4.0));
     assert_eq!((own.inner_radius, own.inner_alpha), (0.5, 0.0));
+    assert_eq!((own.blackbody, own.blackbody_rim), (None, 0.8));
+    let details = (own.details, own.detail_spread, own.detail_alpha);
+    assert_eq!(details, (0, 1.0, 0.5));
+    let lights = FireLights {
+        gain: 1.0,
+        count: 1,
+        from: LightFrom::Mean,
+    };
+    assert_eq!(own.lights, lights);
     let burning = Burning {
         first_frame: 0,
         kindling_frames: 0,
@@ -115,6 +124,11 @@ fn fires_that_are_at_odds_with_themselves_are_refused() {
         (
             many.replacen("\"a\"", "\"b\"", 1),
             "the fires have 120000 flames in all, too many",
+        ),
+        (
+            fire(&format!("lights = 60\n{FLAME}"))
+                + &fire(&format!("lights = 5\n{FLAME}"))[SCENE.len()..],
+            "the fires have 65 point lights in all, too many",
         ),
         (
             fire(FLAME) + "[[fire]]\nname = \"a\"\n" + FLAME,

@@ -3,10 +3,10 @@
 use motes::scene::{
     BirthMoment, BirthRounding, BirthUnit, Births, Blend, BoidShape, Burning, Burst, Camera,
     Changing, ChildUp, Corners, Dimensions, Edges, EjectionAxis, EjectionSpread, Extinction, Fire,
-    Flock, GenerationShape, Image, Inherit, Integration, Intensity, Lamp, Layer, Light,
-    ListedFlame, ParticleShape, ParticleSpace, Planet, Profile, Projection, RampStop, Relation,
-    RelationKind, Roots, Rule, Scene, Shading, ShutterWeighting, Side, Spread, StreakLight, System,
-    Turbulence, Wind,
+    FireLights, Flock, GenerationShape, Ground, Image, Inherit, Integration, Intensity, Lamp,
+    Layer, Light, LightFrom, ListedFlame, ParticleShape, ParticleSpace, Pillar, Planet, Profile,
+    Projection, RampStop, Relation, RelationKind, Roots, Rule, Scene, Shading, ShutterWeighting,
+    Side, Spread, StreakLight, System, Turbulence, Wind,
 };
 
 use crate::text::{FULL, MINIMAL, accepted};
@@ -116,6 +116,8 @@ fn what_is_not_written_has_the_documented_default() {
         flocks: vec![],
         planet: None,
         lamps: vec![],
+        ground: None,
+        pillars: vec![],
         fires: vec![],
         winds: vec![],
         layers: vec![],
@@ -371,6 +373,14 @@ fn fire() -> Fire {
         color_noise_scale: 3.0,
         inner_radius: 0.3,
         inner_alpha: 1.5,
+        details: 3,
+        detail_spread: 0.625,
+        detail_alpha: 0.375,
+        lights: FireLights {
+            gain: 7.0,
+            count: 5,
+            from: LightFrom::Tip,
+        },
         ramp: vec![RampStop {
             age: 0.25,
             center: [1.0, 0.75, 0.5],
@@ -378,6 +388,8 @@ fn fire() -> Fire {
             alpha: 0.5,
             rim_alpha: 0.125,
         }],
+        blackbody: Some([1900.0, 1500.0]),
+        blackbody_rim: 0.875,
         burning: Burning {
             first_frame: -3,
             kindling_frames: 10,
@@ -453,6 +465,23 @@ fn every_other_key_reaches_its_place() {
             position: [4.0, 5.0, 6.0],
             color: [3.0, 2.0, 1.0],
             distance: 2.5,
+        }],
+        ground: Some(Ground {
+            position: [1.0, -2.0, 3.0],
+            normal: [0.0, 1.0, 0.5],
+            radius: 12.0,
+            color: [0.3, 0.2, 0.1],
+            contrast: 0.25,
+            scale: 6.0,
+            octaves: 2,
+        }),
+        pillars: vec![Pillar {
+            position: [2.0, 3.0, 4.0],
+            radius: 0.25,
+            height: 1.5,
+            color: [0.6, 0.5, 0.4],
+            translucence: 0.75,
+            depth: 0.4,
         }],
         fires: vec![fire()],
         winds: vec![

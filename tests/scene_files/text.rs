@@ -57,6 +57,21 @@ relief = 0.6
 contrast = 0.7
 scale = 8
 octaves = 3
+[ground]
+position = [1, -2, 3]
+normal = [0, 1, 0.5]
+radius = 12
+color = [0.3, 0.2, 0.1]
+contrast = 0.25
+scale = 6
+octaves = 2
+[[pillar]]
+position = [2, 3, 4]
+radius = 0.25
+height = 1.5
+color = [0.6, 0.5, 0.4]
+translucence = 0.75
+depth = 0.4
 [[lamp]]
 position = [4, 5, 6]
 color = [3, 2, 1]
@@ -230,6 +245,14 @@ color_noise = 0.4
 color_noise_scale = 3
 inner_radius = 0.3
 inner_alpha = 1.5
+blackbody = [1900, 1500]
+blackbody_rim = 0.875
+details = 3
+detail_spread = 0.625
+detail_alpha = 0.375
+light = 7
+lights = 5
+light_from = "tip"
 first_frame = -3
 kindling_frames = 10
 lifetime = 90
@@ -409,6 +432,8 @@ pub(crate) fn fields_of(section: &str) -> &'static [Field] {
                 "inherit" => schema::INHERIT,
                 "planet" => schema::PLANET,
                 "lamp" => schema::LAMP,
+                "ground" => schema::GROUND,
+                "pillar" => schema::PILLAR,
                 "layer" => schema::LAYER,
                 _ => panic!("no section {section}"),
             };

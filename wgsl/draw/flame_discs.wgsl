@@ -8,6 +8,7 @@
 // as bits; columns and lines are 0 for none).
 // Invariant: what is not drawn has no light.
 
+#import motes::detail::{scale_of, strayed}
 #import motes::fan::LEAST_HALF_AXIS_PX
 #import motes::dispatch::linear_index
 #import motes::exact::{
@@ -24,8 +25,13 @@ const LAYERS: bool = #{LAYERS};
 // Half-axes in pixels, at most.
 const MOST_HALF_AXIS_PX: f32 = 16384.0f;
 
+// Whether some flames have details.
+const DETAILS: bool = #{DETAILS};
 struct Work {
     flame_count: u32,
+    // Of details, 1 and more; of them, one of 2^octave.
+    octave: u32,
+    copy: u32,
 }
 var<immediate> work: Work;
 
@@ -65,9 +71,9 @@ struct Colors {
 }
 
 // The colours of a particle at that age and place.
-fn colors_of(fire: FireFrame, slot: u32, age: u32, p: vec3<f32>) -> Colors {
+fn colors_of(fire: FireFrame, slot: u32, age: f32, p: vec3<f32>) -> Colors {
     let at = p * fire.look.z + fire.noise.xyz;
-    let moved = f32_of_u32(age) + noise(at, fire.kinds.z).w * fire.look.y;
+    let moved = age + noise(at, fire.kinds.z).w * fire.look.y;
     let last = f32_of_u32(FLAME_STEPS - 1u);
     let index = clamp_exact(moved, 0.0f, last);
     let low = min(to_u32(index), FLAME_STEPS - 2u);
@@ -90,7 +96,9 @@ fn flame_discs_of(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let slot = flame.root_and_fire.w;
     let fire = fires[slot];
     let half_width = 0.5f * bitcast<f32>(flame.look.y);
-    let brightness = bitcast<f32>(flame.look.z);
+    let is_detail = DETAILS && work.octave > 0u;
+    let scale = select(1.0f, scale_of(work.octave), is_detail);
+    let brightness = bitcast<f32>(flame.look.z) * select(1.0f, fire.details.z, is_detail);
     let here = !LAYERS || frame.layer == 0u
         || layer_of(bitcast<vec3<f32>>(flame.root_and_fire.xyz)) == frame.layer;
     let burns = here && flame.look.w == 1u;
@@ -100,13 +108,23 @@ fn flame_discs_of(@builtin(global_invocation_id) global_id: vec3<u32>) {
     for (var age = 0u; age < FLAME_STEPS; age += 1u) {
         let look = age_looks[slot * FLAME_STEPS + age];
         let step = flame_steps[at * FLAME_STEPS + age];
-        let place = bitcast<vec3<f32>>(step.xyz);
+        var place = bitcast<vec3<f32>>(step.xyz);
+        var own_age = f32_of_u32(age);
+        var is_there = burns;
+        if is_detail {
+            let part = (f32_of_u32(work.copy) + 0.5f) * scale;
+            let next = flame_steps[at * FLAME_STEPS + min(age + 1u, FLAME_STEPS - 1u)];
+            own_age += part;
+            let between = place + (bitcast<vec3<f32>>(next.xyz) - place) * part;
+            place = strayed(fire, work.octave, work.copy, between, own_age, 2.0f * half_width);
+            is_there = burns && age + 1u < FLAME_STEPS && !less(fire.details.x, f32_of_u32(work.octave));
+        }
         let seen = project(frame, place);
-        let colors = colors_of(fire, slot, age, place);
-        let across = half_axis(half_width * look.scale.x * seen.scale);
-        let along = half_axis(half_width * look.scale.y * seen.scale);
+        let colors = colors_of(fire, slot, own_age, place);
+        let across = half_axis(half_width * scale * look.scale.x * seen.scale);
+        let along = half_axis(half_width * scale * look.scale.y * seen.scale);
         let is_near = less(MOST_HALF_AXIS_PX, across.x) || less(MOST_HALF_AXIS_PX, along.x);
-        let is_seen = burns && !is_near && !less(seen.depth, frame.near);
+        let is_seen = is_there && !is_near && !less(seen.depth, frame.near);
         let opacity = select(0.0f, brightness * across.y * along.y, is_seen);
         flame_discs[at * FLAME_STEPS + age] = FlameDisc(
             vec4<u32>(

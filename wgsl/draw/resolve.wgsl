@@ -5,8 +5,8 @@
 // something covers, plus its colour times the exposure and what shows of the background.
 // One invocation four pixels, so that loads and stores are of four words; buffers are padded to
 // whole fours, and what is past the picture's end is written as 0, for the digest.
-// Reads: frame, light_low, light_high, light_packed, planet_pixels, cover_rg, cover_bt. Writes: image (RGBA, red
-// in the low byte, rows from the top).
+// Reads: frame, light_low, light_high, light_packed, ground_pixels, planet_pixels, cover_rg, cover_bt.
+// Writes: image (RGBA, red in the low byte, rows from the top).
 // Invariant: each pixel depends on its own sums alone.
 
 #import motes::dispatch::linear_index
@@ -20,6 +20,8 @@ const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 const COVERS: bool = #{COVERS};
 // Whether there is a planet behind that.
 const PLANET: bool = #{PLANET};
+// Whether there is a ground behind that.
+const GROUND: bool = #{GROUND};
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read> light_low: array<vec4<u32>>;
@@ -28,8 +30,9 @@ const PLANET: bool = #{PLANET};
 @group(0) @binding(4) var<storage, read> cover_bt: array<vec2<u32>>;
 @group(0) @binding(5) var<storage, read_write> image: array<vec4<u32>>;
 @group(0) @binding(6) var<storage, read> planet_pixels: array<vec4<u32>>;
+@group(0) @binding(7) var<storage, read> ground_pixels: array<vec4<u32>>;
 #if WIDE == true
-@group(0) @binding(7) var<storage, read> light_packed: array<vec4<u64>>;
+@group(0) @binding(8) var<storage, read> light_packed: array<vec4<u64>>;
 #endif
 
 fn byte_of(low: u32, high: u32, behind: f32) -> u32 {
@@ -51,9 +54,13 @@ fn pixel_of(pixel: u32, sums: Sums) -> u32 {
     let low = sums.low + sums.more;
     let high = sums.high + select(vec3<u32>(0u), vec3<u32>(1u), low < sums.more);
     var behind = frame.background.xyz;
-    if PLANET {
-        let ground = bitcast<vec4<f32>>(planet_pixels[pixel]);
+    if GROUND {
+        let ground = bitcast<vec4<f32>>(ground_pixels[pixel]);
         behind = ground.xyz * frame.exposure + behind * ground.w;
+    }
+    if PLANET {
+        let planet = bitcast<vec4<f32>>(planet_pixels[pixel]);
+        behind = planet.xyz * frame.exposure + behind * planet.w;
     }
     if COVERS {
         let rg = bitcast<vec2<f32>>(cover_rg[pixel]);

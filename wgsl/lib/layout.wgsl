@@ -438,6 +438,50 @@ struct Lamp {
     color: vec4<f32>,
 }
 
+// A plane behind everything, as one frame sees it.
+struct Ground {
+    // Its unit normal; how far the eye is above it.
+    plane: vec4<f32>,
+    eye: vec4<f32>,
+    // The point that it is seen around; inverse squared radius of what is seen, 0 where there is none.
+    middle: vec4<f32>,
+    // The part of the light that it reflects; contrast.
+    color: vec4<f32>,
+    // Where the light comes from; noise cells a world unit.
+    light_from: vec4<f32>,
+    light_color: vec4<f32>,
+    ambient: vec4<f32>,
+    // What the places of lamps are counted from.
+    lamps_from: vec4<f32>,
+    // Octaves of the noise, its key, lamps, lights of flames.
+    kinds: vec4<u32>,
+    // Pillars.
+    counts: vec4<u32>,
+}
+
+// An upright cylinder before the ground.
+struct Pillar {
+    // The middle of its foot; radius.
+    place: vec4<f32>,
+    // Height of its top; translucence; inverse squared depth of that; inverse radius.
+    extent: vec4<f32>,
+    // The part of the light that it reflects.
+    color: vec4<f32>,
+}
+
+// A point light that stands for flames.
+struct FlameLight {
+    // Where it is, and the square of its extent, as bits.
+    place: vec4<u32>,
+    // What it makes of white a unit away, as bits.
+    color: vec4<u32>,
+}
+
+// Point lights of all flames, at most.
+const FLAME_LIGHTS: u32 = 64u;
+// Steps of a whole weight.
+const LIGHT_WEIGHT_STEPS: f32 = 1073741824.0f;
+
 // Steps of a flame's trajectory: ages 0 to 24.
 const FLAME_STEPS: u32 = 25u;
 
@@ -477,6 +521,13 @@ struct FireFrame {
     look: vec4<f32>,
     // Opacity of the inner layer as a factor; the inverse of its radius.
     inner: vec4<f32>,
+    // Octaves of details; how far they stray as a share of the width; their opacity as a factor.
+    details: vec4<f32>,
+    // What a weight of 1 throws on white a unit away; the square of a light's extent.
+    light: vec4<f32>,
+    // The inverse of the greatest weight; the reach of lights from their roots, half its inverse; the
+    // inverse of the number of ages in a light's place.
+    light_scale: vec4<f32>,
     // ROOTS_..., the fire's key, that of the noise, FIRE_....
     kinds: vec4<u32>,
     // First flame and how many; first listed flame and how many.
@@ -485,6 +536,8 @@ struct FireFrame {
     faces: vec4<u32>,
     // The first frame; frames of kindling; frames that a flame burns, 0 for ever; frames of growth.
     times: vec4<u32>,
+    // First point light and how many; first and last age that its place is made of.
+    lights: vec4<u32>,
 }
 
 // FireFrame.kinds.x: where flames stand.

@@ -3,6 +3,7 @@
 use glam::{IVec2, Vec3, Vec4};
 
 use super::splat::layer_of;
+use crate::cpu::detail::{scale_of, strayed};
 use crate::cpu::fan::LEAST_HALF_AXIS_PX;
 use crate::cpu::projection::project;
 use crate::exact::{
@@ -10,7 +11,7 @@ use crate::exact::{
 };
 use crate::layout::{AgeLook, FLAME_STEPS, FireFrame, Flame, FlameDisc};
 use crate::noise::noise;
-use crate::plan::FrameInputs;
+use crate::plan::{DetailPass, FrameInputs};
 
 shared_constants! {
     /// Half-axes in pixels, at most.
@@ -26,9 +27,9 @@ fn half_axis(pixels: f32) -> (f32, f32) {
 
 /// The colours of centre and rim of a particle of that age at a place; `looks` are the fire's.
 #[inline]
-fn colors_of(fire: &FireFrame, looks: &[AgeLook], age: u32, p: Vec3) -> [Vec4; 2] {
+fn colors_of(fire: &FireFrame, looks: &[AgeLook], age: f32, p: Vec3) -> [Vec4; 2] {
     let at = p * fire.look[2] + Vec3::from_slice(&fire.noise);
-    let moved = f32_of_u32(age) + noise(at, fire.kinds[2]).w * fire.look[1];
+    let moved = age + noise(at, fire.kinds[2]).w * fire.look[1];
     let last = f32_of_u32(FLAME_STEPS - 1);
     let index = clamp_exact(moved, 0.0, last);
     let low = to_u32(index).min(FLAME_STEPS - 2);
@@ -40,19 +41,43 @@ fn colors_of(fire: &FireFrame, looks: &[AgeLook], age: u32, p: Vec3) -> [Vec4; 2
     [mixed(here.center, next.center), mixed(here.rim, next.rim)]
 }
 
-/// The discs of a flame whose particle is at these places, from age 0 on, and what is
+/// Where a particle is and how old, in steps: on the flame's way, or, of details, beside it.
+#[inline]
+fn placed(
+    fire: &FireFrame,
+    pass: DetailPass,
+    steps: &[[u32; 4]],
+    age: usize,
+    width: f32,
+) -> (Vec3, f32) {
+    let place = |age: usize| {
+        let [x, y, z, _] = steps[age].map(f32::from_bits);
+        Vec3::new(x, y, z)
+    };
+    let (here, own_age) = (place(age), f32_of_u32(age as u32));
+    if pass.octave == 0 {
+        return (here, own_age);
+    }
+    let part = (f32_of_u32(pass.copy) + 0.5) * scale_of(pass.octave);
+    let next = place((age + 1).min(steps.len() - 1));
+    let own_age = own_age + part;
+    let between = here + (next - here) * part;
+    (strayed(fire, pass, between, own_age, width), own_age)
+}
+
+/// The discs of a flame in a pass whose particle is at these places, from age 0 on, and what is
 /// known of all of them: first column, and one past the last in the upper 16 bits; the same of lines,
 /// both 0 for none; x and y of [`FireFrame::inner`] as bits.
 pub fn flame_discs(
     inputs: &FrameInputs,
     flame: &Flame,
+    pass: DetailPass,
     steps: &[[u32; 4]],
     discs: &mut [FlameDisc],
 ) -> [u32; 4] {
     let frame = &inputs.frame;
     let [_, width, brightness, burns] = flame.look;
     let half_width = 0.5 * f32::from_bits(width);
-    let brightness = f32::from_bits(brightness);
     let root = Vec3::from(flame.root());
     let here = frame.layer == 0 || layer_of(&inputs.layer_planes, root) == frame.layer;
     let burns = here && burns == 1;
@@ -61,15 +86,23 @@ pub fn flame_discs(
     let first_look = (flame.fire() * FLAME_STEPS) as usize;
     let looks = &inputs.age_looks[first_look..];
     let fire = &inputs.fires[flame.fire() as usize];
-    for (age, ((step, look), disc)) in (0..).zip(steps.iter().zip(looks).zip(discs)) {
-        let [x, y, z, _] = step.map(f32::from_bits);
-        let place = Vec3::new(x, y, z);
+    let is_detail = pass.octave > 0;
+    let (scale, alpha) = if is_detail {
+        (scale_of(pass.octave), fire.details[2])
+    } else {
+        (1.0, 1.0)
+    };
+    let brightness = f32::from_bits(brightness) * alpha;
+    let has_pass = !is_detail || !less(fire.details[0], f32_of_u32(pass.octave));
+    for (age, (look, disc)) in looks.iter().zip(discs).enumerate() {
+        let (place, own_age) = placed(fire, pass, steps, age, 2.0 * half_width);
+        let is_there = burns && has_pass && (!is_detail || age + 1 < steps.len());
         let seen = project(frame, place);
-        let [center, rim] = colors_of(fire, looks, age, place);
-        let (across, fainter) = half_axis(half_width * look.scale[0] * seen.scale);
-        let (along, fainter_still) = half_axis(half_width * look.scale[1] * seen.scale);
+        let [center, rim] = colors_of(fire, looks, own_age, place);
+        let (across, fainter) = half_axis(half_width * scale * look.scale[0] * seen.scale);
+        let (along, fainter_still) = half_axis(half_width * scale * look.scale[1] * seen.scale);
         let is_near = less(MOST_HALF_AXIS_PX, across) || less(MOST_HALF_AXIS_PX, along);
-        let is_seen = burns && !is_near && !less(seen.depth, frame.near);
+        let is_seen = is_there && !is_near && !less(seen.depth, frame.near);
         let opacity = if is_seen {
             brightness * fainter * fainter_still
         } else {

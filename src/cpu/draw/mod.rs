@@ -4,6 +4,7 @@ pub mod boid_shapes;
 pub mod cover;
 pub mod flame_discs;
 pub mod glow;
+pub mod ground;
 pub mod planet;
 pub mod resolve;
 pub mod shapes;

@@ -12,20 +12,26 @@ fn byte_of(light: f32) -> u32 {
 /// What is behind the light of a pixel, besides the background.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Behind {
-    /// The pixel of the planet, if there is one.
+    /// The pixel of the ground, if there is one.
     pub ground: Option<[u32; 4]>,
+    /// That of the planet before it, if there is one.
+    pub planet: Option<[u32; 4]>,
     /// Words of `cover_rg` and `cover_bt` for the pixel, if anything covers.
     pub covers: Option<([u32; 2], [u32; 2])>,
 }
 
 /// What is behind the light of a pixel's channel, red, green or blue: what covers it, and what of the
-/// planet and of the background shows through.
+/// planet, of the ground and of the background shows through.
 #[inline]
 pub(crate) fn behind(frame: &Frame, what: Behind, channel: usize) -> f32 {
-    let Behind { ground, covers } = what;
+    let Behind {
+        ground,
+        planet,
+        covers,
+    } = what;
     let mut background = frame.background[channel];
-    if let Some(ground) = ground {
-        let [color, clear] = [ground[channel], ground[3]].map(f32::from_bits);
+    for surface in [ground, planet].into_iter().flatten() {
+        let [color, clear] = [surface[channel], surface[3]].map(f32::from_bits);
         background = color * frame.exposure + background * clear;
     }
     let Some(([red, green], [blue, clear])) = covers else {

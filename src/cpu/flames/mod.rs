@@ -1,9 +1,12 @@
 //! The stages of flames.
 
+pub mod gather;
 pub mod kindle;
+pub mod shine;
 pub mod trace;
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use rayon::prelude::*;
 
@@ -11,8 +14,8 @@ use crate::backend::{BackendError, try_zeroed};
 use crate::cpu::draw::flame_discs::flame_discs;
 use crate::cpu::draw::glow::glow;
 use crate::cpu::light::LightSums;
-use crate::layout::{FLAME_STEPS, Flame, FlameDisc};
-use crate::plan::{FrameInputs, MeshTables, Plan};
+use crate::layout::{FLAME_LIGHTS, FLAME_STEPS, Flame, FlameDisc, FlameLight};
+use crate::plan::{DetailPass, FrameInputs, MeshTables, Plan};
 
 /// Steps of a flame.
 const STEPS: usize = FLAME_STEPS as usize;
@@ -21,6 +24,7 @@ const STEPS: usize = FLAME_STEPS as usize;
 #[derive(Debug)]
 pub(super) struct Flames {
     meshes: Arc<MeshTables>,
+    detail_passes: u32,
     /// In the order of fires and of indices.
     pub(super) flames: Vec<Flame>,
     /// The places of their particles.
@@ -29,6 +33,10 @@ pub(super) struct Flames {
     pub(super) discs: Vec<FlameDisc>,
     /// Which pixels each flame touches, and its inner layer.
     pub(super) bounds: Vec<[u32; 4]>,
+    /// What their point lights are given: the two halves of a weight and of x, y and z of each.
+    pub(super) sums: Vec<u32>,
+    /// Their point lights.
+    pub(super) lights: Vec<FlameLight>,
 }
 
 impl Flames {
@@ -36,10 +44,13 @@ impl Flames {
         let flames = plan.flame_count as usize;
         Ok(Self {
             meshes: Arc::clone(&plan.meshes),
+            detail_passes: plan.detail_passes,
             flames: try_zeroed(flames, "flames")?,
             steps: try_zeroed(flames * STEPS, "steps of flames")?,
             discs: try_zeroed(flames * STEPS, "particles of flames")?,
             bounds: try_zeroed(flames, "flames")?,
+            sums: vec![0; 8 * FLAME_LIGHTS as usize],
+            lights: vec![FlameLight::default(); FLAME_LIGHTS as usize],
         })
     }
 
@@ -65,7 +76,35 @@ impl Flames {
             .for_each(|(steps, flame)| trace::trace(inputs, flame, steps));
     }
 
-    pub(super) fn discs(&mut self, inputs: &FrameInputs) {
+    pub(super) fn gather(&mut self, inputs: &FrameInputs) {
+        let sums: Vec<AtomicU64> = (0..4 * FLAME_LIGHTS).map(|_| AtomicU64::new(0)).collect();
+        let flames = &self.flames;
+        let steps = self.steps.par_chunks(STEPS);
+        steps
+            .zip(flames)
+            .with_min_len(64)
+            .for_each(|(steps, flame)| {
+                let fire = &inputs.fires[flame.fire() as usize];
+                if let Some((light, given)) = shine::shine(fire, flame, steps, flames) {
+                    let of_light = &sums[4 * light as usize..];
+                    for (sum, steps) in of_light.iter().zip(given) {
+                        sum.fetch_add(steps.into(), Ordering::Relaxed);
+                    }
+                }
+            });
+        let sums: Vec<u64> = sums.into_iter().map(AtomicU64::into_inner).collect();
+        self.sums = sums
+            .iter()
+            .flat_map(|sum| [*sum as u32, (*sum >> 32) as u32])
+            .collect();
+        let (lights, _) = sums.as_chunks::<4>();
+        self.lights = (0..)
+            .zip(lights)
+            .map(|(at, sums)| gather::gather(&inputs.fires, flames, at, *sums))
+            .collect();
+    }
+
+    pub(super) fn discs(&mut self, inputs: &FrameInputs, pass: DetailPass) {
         self.discs
             .par_chunks_mut(STEPS)
             .zip(self.steps.par_chunks(STEPS))
@@ -73,11 +112,20 @@ impl Flames {
             .zip(&mut self.bounds)
             .with_min_len(64)
             .for_each(|(((discs, steps), flame), bounds)| {
-                *bounds = flame_discs(inputs, flame, steps, discs);
+                *bounds = flame_discs(inputs, flame, pass, steps, discs);
             });
     }
 
-    pub(super) fn glow(&self, light: &LightSums) {
+    /// The light of all passes, of which that of no details is at hand.
+    pub(super) fn glow(&mut self, inputs: &FrameInputs, light: &LightSums) {
+        self.glow_of_pass(light);
+        for at in 0..self.detail_passes {
+            self.discs(inputs, DetailPass::nth(at));
+            self.glow_of_pass(light);
+        }
+    }
+
+    fn glow_of_pass(&self, light: &LightSums) {
         let discs = self.discs.par_chunks(STEPS);
         discs
             .zip(&self.bounds)

@@ -66,6 +66,8 @@ pub(super) const SWITCHES: &[&str] = &[
     "MESHES",
     "CROWDS",
     "PLANET",
+    "GROUND",
+    "DETAILS",
     "TORUS",
     "COVERS",
     "TRIANGLES",

@@ -6,15 +6,24 @@ use crate::scene::{Fire, SceneError};
 /// Flames of all fires at most: what a binding holds of their discs on every adapter.
 const MOST_FLAMES: u64 = 100_000;
 
-/// There are not too many flames.
+/// Point lights of all fires at most.
+const MOST_LIGHTS: u32 = 64;
+
+/// There are not too many flames, nor too many lights.
 pub(in crate::scene) fn flames(fires: &[Fire], spot: &Spot<'_>) -> Result<(), SceneError> {
     let total: u64 = fires.iter().map(|fire| u64::from(fire.count())).sum();
-    if total <= MOST_FLAMES {
-        return Ok(());
+    if total > MOST_FLAMES {
+        let what = format!("the fires have {total} flames in all, too many");
+        let help = format!("`count`s and listed flames that sum to at most {MOST_FLAMES}");
+        return Err(spot.node.at.error(what, help));
     }
-    let what = format!("the fires have {total} flames in all, too many");
-    let help = format!("`count`s and listed flames that sum to at most {MOST_FLAMES}");
-    Err(spot.node.at.error(what, help))
+    let lights: u32 = fires.iter().map(|fire| fire.lights.count).sum();
+    if lights > MOST_LIGHTS {
+        let what = format!("the fires have {lights} point lights in all, too many");
+        let help = format!("`lights` that sum to at most {MOST_LIGHTS}");
+        return Err(spot.node.at.error(what, help));
+    }
+    Ok(())
 }
 
 /// The fire has a flame, each of them a height, and colours in ascending order.

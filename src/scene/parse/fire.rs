@@ -5,7 +5,9 @@ use crate::scene::files::Files;
 use crate::scene::read::{Reader, Spot};
 use crate::scene::schema::{FIRE, FLAME, RAMP};
 use crate::scene::values::{Quantity, choice, list, signed32, spread, text, variant, whole32};
-use crate::scene::{Burning, Fire, ListedFlame, Profile, RampStop, Roots, SceneError};
+use crate::scene::{
+    Burning, Fire, FireLights, LightFrom, ListedFlame, Profile, RampStop, Roots, SceneError,
+};
 
 /// Reads all fires.
 pub(super) fn fires(spot: &Spot<'_>, files: &Files) -> Result<Vec<Fire>, SceneError> {
@@ -48,7 +50,18 @@ fn fire(at: usize, spot: &Spot<'_>, files: &Files) -> Result<Fire, SceneError> {
         color_noise_scale: table.must("color_noise_scale", Quantity::read)?,
         inner_radius: table.must("inner_radius", Quantity::read)?,
         inner_alpha: table.must("inner_alpha", Quantity::read)?,
+        details: table.must("details", whole32)?,
+        detail_spread: table.must("detail_spread", Quantity::read)?,
+        detail_alpha: table.must("detail_alpha", Quantity::read)?,
+        lights: FireLights {
+            gain: table.must("light", Quantity::read)?,
+            count: table.must("lights", whole32)?,
+            from: [LightFrom::Mean, LightFrom::Middle, LightFrom::Tip]
+                [table.must("light_from", choice)?],
+        },
         ramp: table.must("ramp", |spot| list(spot, |_, spot| ramp_stop(spot)))?,
+        blackbody: table.may("blackbody", Quantity::read)?,
+        blackbody_rim: table.must("blackbody_rim", Quantity::read)?,
         burning: Burning {
             first_frame: table.must("first_frame", signed32)?,
             kindling_frames: table.must("kindling_frames", whole32)?,

@@ -15,14 +15,15 @@ use self::wind::wind;
 use super::check;
 use super::files::Files;
 use super::read::{Reader, Spot};
-use super::schema::{CAMERA, IMAGE, LAMP, LAYER, LIGHT, PLANET, SCENE};
+use super::schema::{CAMERA, GROUND, IMAGE, LAMP, LAYER, LIGHT, PILLAR, PLANET, SCENE};
 use super::set;
 use super::set::Set;
 use super::tracks;
 use super::tree::{self, Node, Source};
 use super::values::{Quantity, choice, list, text, whole, whole32};
 use super::{
-    Camera, Image, Lamp, Layer, Light, Planet, Projection, Scene, SceneError, ShutterWeighting,
+    Camera, Ground, Image, Lamp, Layer, Light, Pillar, Planet, Projection, Scene, SceneError,
+    ShutterWeighting,
 };
 
 /// A scene's text, read but not yet checked, so that values can be changed.
@@ -98,6 +99,8 @@ fn scene(root: &Node, name: &str, files: &Files) -> Result<Scene, SceneError> {
         light: table.must("light", light)?,
         planet: table.may("planet", planet)?,
         lamps: table.must("lamp", |spot| list(spot, lamp))?,
+        ground: table.may("ground", ground)?,
+        pillars: table.must("pillar", |spot| list(spot, pillar))?,
         winds: table.must("wind", |spot| list(spot, wind))?,
         layers: table.must("layer", |spot| list(spot, layer))?,
         tracks: Vec::new(),
@@ -161,6 +164,31 @@ fn planet(spot: &Spot<'_>) -> Result<Planet, SceneError> {
         contrast: table.must("contrast", Quantity::read)?,
         scale: table.must("scale", Quantity::read)?,
         octaves: table.must("octaves", whole32)?,
+    })
+}
+
+fn ground(spot: &Spot<'_>) -> Result<Ground, SceneError> {
+    let table = Reader::new(spot.path.clone(), GROUND, spot.node)?;
+    Ok(Ground {
+        position: table.must("position", Quantity::read)?,
+        normal: table.must("normal", check::direction)?,
+        radius: table.must("radius", Quantity::read)?,
+        color: table.must("color", Quantity::read)?,
+        contrast: table.must("contrast", Quantity::read)?,
+        scale: table.must("scale", Quantity::read)?,
+        octaves: table.must("octaves", whole32)?,
+    })
+}
+
+fn pillar(_: usize, spot: &Spot<'_>) -> Result<Pillar, SceneError> {
+    let table = Reader::new(spot.path.clone(), PILLAR, spot.node)?;
+    Ok(Pillar {
+        position: table.must("position", Quantity::read)?,
+        radius: table.must("radius", Quantity::read)?,
+        height: table.must("height", Quantity::read)?,
+        color: table.must("color", Quantity::read)?,
+        translucence: table.must("translucence", Quantity::read)?,
+        depth: table.must("depth", Quantity::read)?,
     })
 }
 

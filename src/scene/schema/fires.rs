@@ -32,11 +32,19 @@ pub const FIRE: &[Field] = &[
     default("color_noise_scale", numbers(1, 0.0, 1e4), "4", "noise cells a world unit", "how fine that noise is", "Perry 4.2"),
     default("inner_radius", numbers(1, 0.01, 1.0), "0.5", "a share of the radius", "how large the inner of two layers of a particle's triangles is", "Perry 4.1"),
     keyed(default("inner_alpha", numbers(1, 0.0, 100.0), "0", "a share of the opacity", "how opaque its centre is; 0: there is one layer", "Perry 4.1")),
+    default("details", whole(0, 4), "0", "octaves", "smaller particles beside the way of each flame: in each octave half as large and twice as many", "Perry 4.1"),
+    keyed(default("detail_spread", numbers(1, 0.0, 100.0), "1", "a share of the width", "how far noise carries them off", "Perry 4.1")),
+    keyed(default("detail_alpha", numbers(1, 0.0, 100.0), "0.5", "a share of the opacity", "how opaque they are", "Perry 4.1")),
+    keyed(default("light", numbers(1, 0.0, 1e6), "1", "", "factor of the light that it throws on surfaces: 1 is what it sends to the picture", "Perry 3.2.4")),
+    default("lights", whole(0, 64), "1", "", "point lights that stand for its flames, each for those nearest to it; fires have 64 in all, at most", "Perry 3.2.4"),
+    default("light_from", Kind::Choice(&["mean", "middle", "tip"]), "\"mean\"", "", "where the light of a flame is: the mean of its 25 places, the middle one, or the last", "Perry 3.2.4"),
     default("ramp", Kind::Tables { fields: RAMP, max: 16 }, "[\
         { age = 0, center = [1, 0.45, 0.2], rim = [1, 0.25, 0.08], alpha = 0.1 }, \
         { age = 0.2, center = [1, 0.7, 0.32], rim = [1, 0.34, 0.06], alpha = 0.3 }, \
         { age = 0.6, center = [1, 0.62, 0.24], rim = [1, 0.3, 0.04], alpha = 0.26 }, \
         { age = 1, center = [1, 0.42, 0.1], rim = [1, 0.2, 0.02], alpha = 0 }]", "", "colours and opacity along a flame, one `[[fire.ramp]]` each, in ascending order of ages; linear between them", "Perry 3.2.2"),
+    optional("blackbody", numbers(2, 1e3, 2e4), "[2000, 1400]", "kelvin", "temperatures at root and tip; colours are those of bodies so hot, and the ramp's count no more, only its opacities", "Perry 4.2"),
+    default("blackbody_rim", numbers(1, 0.1, 1.0), "0.8", "a share of the temperature", "how hot the rim of a particle is; 1,000 kelvin at least", "Perry 4.2"),
     default("first_frame", whole(-65_000, 1_000_000), "0", "frames", "when flames begin", "Perry 3.4"),
     default("kindling_frames", whole(0, 1_000_000), "0", "frames", "how long it takes until all of `roots` burn, one after the other", ""),
     optional("lifetime", whole(1, 1_000_000), "60", "frames", "how long a flame burns; for ever if left out", "Perry 3.4"),

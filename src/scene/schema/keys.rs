@@ -25,9 +25,11 @@ pub const SCENE: &[Field] = &[
     optional("system", Kind::Tables { fields: SYSTEM, max: 1024 }, "[{ name = \"jet\", initial_mean_parts = 100, generation_shape = { kind = \"sphere\", radius = 1 }, speed = 0.1, lifetime = 60, color = [0.4, 0.1, 0.02], size = 0.02 }]", "", "the particle systems, one `[[system]]` each; a scene without a flock or a fire has at least one", "Reeves 2"),
     default("flock", Kind::Tables { fields: FLOCK, max: 64 }, "[]", "", "the flocks, one `[[flock]]` each", ""),
     default("fire", Kind::Tables { fields: FIRE, max: 64 }, "[]", "", "the fires, one `[[fire]]` each", "Perry 3.2"),
-    default("light", Kind::Table(LIGHT), "{}", "", "the light that the planet reflects, and particles which cover and are shaded", "Reeves 5"),
+    default("light", Kind::Table(LIGHT), "{}", "", "the light that the planet and the ground reflect, and particles which cover and are shaded", "Reeves 5"),
     optional("planet", Kind::Table(PLANET), "{ radius = 10 }", "", "a ball with a surface: it hides what is behind it, and is lit", "Reeves 3"),
-    default("lamp", Kind::Tables { fields: LAMP, max: 16 }, "[]", "", "lights near the planet, one `[[lamp]]` each", "Reeves 3"),
+    default("lamp", Kind::Tables { fields: LAMP, max: 16 }, "[]", "", "lights near the planet and the ground, one `[[lamp]]` each", "Reeves 3"),
+    optional("ground", Kind::Table(GROUND), "{ radius = 10 }", "", "a plane behind everything that light falls on, that of flames too", "Perry 3.2.4"),
+    default("pillar", Kind::Tables { fields: PILLAR, max: 16 }, "[]", "", "upright cylinders on it, such as candles, one `[[pillar]]` each", "Perry 3.2.4"),
     default("wind", Kind::List { variants: WINDS, max: 16 }, "[]", "", "the parts of the wind, one `[[wind]]` each: it is their sum, and drag makes particles follow it", "Perry 3.2.3"),
     default("layer", Kind::Tables { fields: LAYER, max: 8 }, "[]", "", "planes that split the picture into layers, one `[[layer]]` each", "Reeves 2.5"),
 ];
@@ -61,6 +63,29 @@ pub const PLANET: &[Field] = &[
     default("contrast", numbers(1, 0.0, 1.0), "0", "a share of the colour", "how much darker and lighter its ground is here and there", "Reeves 3"),
     default("scale", numbers(1, 0.0, 1e4), "1", "noise cells a world unit", "how fine that is", "Reeves 3"),
     default("octaves", whole(1, 8), "5", "", "how many finer patterns are on top of each other, each of twice the frequency", "Reeves 3"),
+];
+
+/// Keys of `[ground]` (Perry 1994, 3.2.4: flames light surfaces).
+#[rustfmt::skip] // one row a line
+pub const GROUND: &[Field] = &[
+    default("position", PLACE, "[0, 0, 0]", "world units", "a point of the plane, around which it is seen", "Perry 3.2.4"),
+    default("normal", DIRECTION, "[0, 1, 0]", "world space", "where it faces", "Perry 3.2.4"),
+    required("radius", numbers(1, 1e-3, 1e6), "10", "world units", "how far from there it fades away", ""),
+    default("color", numbers(3, 0.0, 1.0), "[0.3, 0.3, 0.3]", "red, green, blue", "the part of the light that it reflects", "Perry 3.2.4"),
+    default("contrast", numbers(1, 0.0, 1.0), "0", "a share of the colour", "how much darker and lighter it is here and there", ""),
+    default("scale", numbers(1, 0.0, 1e4), "1", "noise cells a world unit", "how fine that is", ""),
+    default("octaves", whole(1, 8), "4", "", "how many finer patterns are on top of each other, each of twice the frequency", ""),
+];
+
+/// Keys of each `[[pillar]]`.
+#[rustfmt::skip] // one row a line
+pub const PILLAR: &[Field] = &[
+    default("position", PLACE, "[0, 0, 0]", "world units", "the middle of its foot; it stands along y", "Perry 3.2.2"),
+    required("radius", numbers(1, 1e-3, 1e4), "0.2", "world units", "of the cylinder", "Perry 3.2.2"),
+    required("height", numbers(1, 1e-3, 1e4), "1", "world units", "from foot to top", "Perry 3.2.2"),
+    default("color", numbers(3, 0.0, 1.0), "[0.3, 0.3, 0.3]", "red, green, blue", "the part of the light that it reflects", "Perry 3.2.4"),
+    default("translucence", numbers(1, 0.0, 100.0), "0", "a share of the light", "what of the light of flames it lets through to its surface, as wax does", ""),
+    default("depth", numbers(1, 1e-3, 1e4), "0.3", "world units", "how far that light comes", ""),
 ];
 
 /// Keys of each `[[lamp]]`.

@@ -2,9 +2,9 @@
 
 use super::json::sentence;
 use super::{
-    BURST, CAMERA, EDGES, EXTINCTIONS, FIRE, FLAME, FLOCK, Field, GENERATION_SHAPES, IMAGE,
-    INHERIT, Kind, LAMP, LAYER, LIGHT, Limits, PLANET, Presence, RAMP, REGION, RELATIONS, ROOTS,
-    SCENE, SYSTEM, Variant, WINDS, parent_of,
+    BURST, CAMERA, EDGES, EXTINCTIONS, FIRE, FLAME, FLOCK, Field, GENERATION_SHAPES, GROUND, IMAGE,
+    INHERIT, Kind, LAMP, LAYER, LIGHT, Limits, PILLAR, PLANET, Presence, RAMP, REGION, RELATIONS,
+    ROOTS, SCENE, SYSTEM, Variant, WINDS, parent_of,
 };
 use crate::scene::expect::{digits, range};
 
@@ -18,7 +18,7 @@ const CAN_CHANGE: &str = " ◆";
 #[must_use]
 pub fn reference_page() -> String {
     let mut page = INTRODUCTION.to_owned();
-    let tables: [(&str, &str, &[Field]); 7] = [
+    let tables: [(&str, &str, &[Field]); 9] = [
         ("Top of the file", "Above the first header.", SCENE),
         (
             "`[image]`",
@@ -28,14 +28,24 @@ pub fn reference_page() -> String {
         ("`[camera]`", "The viewer.", CAMERA),
         (
             "`[light]`",
-            "What the planet reflects, and particles that cover and are shaded.",
+            "What the planet and the ground reflect, and particles that cover and are shaded.",
             LIGHT,
         ),
         ("`[planet]`", "A ball with a surface, at most one.", PLANET),
         (
             "`[[lamp]]`",
-            "A light near the planet, as many as you like.",
+            "A light near the planet and the ground, as many as you like.",
             LAMP,
+        ),
+        (
+            "`[ground]`",
+            "A plane behind everything, at most one.",
+            GROUND,
+        ),
+        (
+            "`[[pillar]]`",
+            "An upright cylinder before the ground, as many as you like.",
+            PILLAR,
         ),
         (
             "`[[system]]`",

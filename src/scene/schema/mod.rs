@@ -14,7 +14,9 @@ mod rows;
 pub use fires::{FIRE, FLAME, RAMP, ROOTS};
 pub use flocks::{EDGES, FLOCK, REGION, RELATIONS};
 pub use json::json_schema;
-pub use keys::{BURST, CAMERA, IMAGE, INHERIT, LAMP, LAYER, LIGHT, PLANET, SCENE, SYSTEM};
+pub use keys::{
+    BURST, CAMERA, GROUND, IMAGE, INHERIT, LAMP, LAYER, LIGHT, PILLAR, PLANET, SCENE, SYSTEM,
+};
 pub use kinds::{EXTINCTIONS, GENERATION_SHAPES, WINDS};
 pub use markdown::reference_page;
 

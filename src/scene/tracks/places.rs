@@ -103,6 +103,9 @@ fn fire_numbers<'a>(fire: &'a mut Fire, key: &str) -> Option<&'a mut [f32]> {
         "brightness" => one(&mut fire.brightness),
         "color_noise" => one(&mut fire.color_noise),
         "inner_alpha" => one(&mut fire.inner_alpha),
+        "detail_spread" => one(&mut fire.detail_spread),
+        "detail_alpha" => one(&mut fire.detail_alpha),
+        "light" => one(&mut fire.lights.gain),
         _ => return None,
     })
 }

@@ -28,7 +28,7 @@ pub(in crate::scene) fn collect(root: &Node, scene: &mut Scene) -> Result<(), Sc
         match (kind, &entry.node.value) {
             ("image", _) => visit(&entry.node, Some(Owner::Image), kind.to_owned())?,
             ("camera", _) => visit(&entry.node, Some(Owner::Camera), kind.to_owned())?,
-            ("light" | "planet", _) => visit(&entry.node, None, kind.to_owned())?,
+            ("light" | "planet" | "ground", _) => visit(&entry.node, None, kind.to_owned())?,
             (_, Value::Array(nodes)) => {
                 for (at, node) in nodes.iter().enumerate() {
                     let owner = match kind {

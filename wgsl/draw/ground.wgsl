@@ -1,0 +1,143 @@
+// ground: a plane behind everything and the cylinders on it, in the light of flames.
+//
+// Perry 1994, 3.2.4: flames light surfaces through point lights. The light of each falls with the
+// squared distance and the slant; pillars stand in its way, and let some of it through to their own
+// surface (wax).
+// One invocation a pixel: the line of sight meets a pillar, the plane, or neither.
+// Reads: frame, grounds, pillars, lamps, flame_lights. Writes: ground_pixels (red, green, blue and
+// what shows of what is behind, as bits).
+// Invariant: a pixel depends on the frame, the surfaces and the lights alone.
+
+#import motes::dispatch::linear_index
+#import motes::exact::{
+    at_least_zero, bits_of, clamp_unit, dot3, f32_of_u32, inverse_square_root, less, reciprocal,
+}
+#import motes::layout::{FlameLight, Frame, Ground, Lamp, Pillar}
+#import motes::noise::noise
+#import motes::pillar::{Meeting, meeting, passed}
+
+const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
+// No pillar.
+const NO_PILLAR: u32 = 0xffffffffu;
+// Ways to the ground, in lengths of the way, at most.
+const FARTHEST_GROUND: f32 = 1e6f;
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+@group(0) @binding(1) var<storage, read> grounds: array<Ground>;
+@group(0) @binding(2) var<storage, read> pillars: array<Pillar>;
+@group(0) @binding(3) var<storage, read> lamps: array<Lamp>;
+@group(0) @binding(4) var<storage, read> flame_lights: array<FlameLight>;
+@group(0) @binding(5) var<storage, read_write> ground_pixels: array<vec4<u32>>;
+
+// A place of a surface, its unit normal, its pillar, and what that lets through: how much, and the
+// inverse of the squared distance at which it is half.
+struct Spot {
+    place: vec3<f32>,
+    normal: vec3<f32>,
+    pillar: u32,
+    through: vec2<f32>,
+}
+
+// The light of a point light of that colour a unit away and that squared extent.
+fn from_point(ground: Ground, spot: Spot, light: vec3<f32>, extent: f32, color: vec3<f32>, through: f32) -> vec3<f32> {
+    let away = light - spot.place;
+    let near = inverse_square_root(dot3(away, away) + extent);
+    let falls = at_least_zero(dot3(spot.normal, away) * near);
+    var seen = 1.0f;
+    for (var at = 0u; at < ground.counts.x; at += 1u) {
+        if at != spot.pillar {
+            seen *= passed(pillars[at], spot.place, light);
+        }
+    }
+    let own = through * reciprocal(1.0f + dot3(away, away) * spot.through.y);
+    return color * ((falls * seen + own) * near * near);
+}
+
+fn light_on(ground: Ground, spot: Spot) -> vec3<f32> {
+    let straight = at_least_zero(dot3(spot.normal, ground.light_from.xyz));
+    var light = ground.ambient.xyz + ground.light_color.xyz * straight;
+    for (var at = 0u; at < ground.kinds.z; at += 1u) {
+        let lamp = lamps[at];
+        let place = lamp.place.xyz + ground.lamps_from.xyz;
+        light += from_point(ground, spot, place, 0.0f, lamp.color.xyz * lamp.place.w, 0.0f);
+    }
+    for (var at = 0u; at < ground.kinds.w; at += 1u) {
+        let flame = flame_lights[at];
+        let place = bitcast<vec4<f32>>(flame.place);
+        let color = bitcast<vec3<f32>>(flame.color.xyz);
+        light += from_point(ground, spot, place.xyz, place.w, color, spot.through.x);
+    }
+    return light;
+}
+
+// The share of its colour that the ground has at a place: octaves of noise, those left out that are
+// finer than `seen` there.
+fn shade_at(ground: Ground, place: vec3<f32>, seen: f32) -> f32 {
+    var sum = 0.0f;
+    var scale = ground.light_from.w;
+    var weight = ground.color.w;
+    for (var octave = 0u; octave < ground.kinds.x; octave += 1u) {
+        let clear = clamp_unit(2.0f - 2.0f * seen * scale);
+        sum += noise(place * scale, ground.kinds.y + octave).w * (weight * clear);
+        scale *= 2.0f;
+        weight *= 0.6f;
+    }
+    return at_least_zero(1.0f + sum);
+}
+
+// Light of the plane where the way from the eye meets it, and how much of it is seen.
+fn plane_at(ground: Ground, way: vec3<f32>, pixel: f32) -> vec4<f32> {
+    let slant = dot3(way, ground.plane.xyz);
+    let far = -ground.plane.w * reciprocal(slant);
+    if !less(0.0f, far) || less(FARTHEST_GROUND, far) {
+        return vec4<f32>(0.0f);
+    }
+    let place = ground.eye.xyz + way * far;
+    let from_middle = place - ground.middle.xyz;
+    let near = at_least_zero(1.0f - dot3(from_middle, from_middle) * ground.middle.w);
+    let covered = select(0.0f, near * near, less(0.0f, ground.middle.w));
+    if !less(0.0f, covered) {
+        return vec4<f32>(0.0f);
+    }
+    let shade = shade_at(ground, place, abs(far * pixel * reciprocal(slant)));
+    let spot = Spot(place, ground.plane.xyz, NO_PILLAR, vec2<f32>(0.0f));
+    return vec4<f32>(ground.color.xyz * shade * light_on(ground, spot), covered);
+}
+
+@compute @workgroup_size(WORKGROUP_SIZE)
+fn ground(@builtin(global_invocation_id) global_id: vec3<u32>) {
+    let ground = grounds[0];
+    let at = linear_index(global_id, WORKGROUP_SIZE);
+    if at >= frame.width * frame.height {
+        return;
+    }
+    let x = f32_of_u32(at % frame.width) + 0.5f;
+    let y = f32_of_u32(at / frame.width) + 0.5f;
+    let pixel = reciprocal(frame.focal_px);
+    let way = frame.view_from_world_z.xyz
+        + frame.view_from_world_x.xyz * ((x - frame.center_x_px) * pixel)
+        + frame.view_from_world_y.xyz * ((frame.center_y_px - y) * pixel);
+    var nearest = NO_PILLAR;
+    var met = Meeting(0.0f, 0.0f, vec3<f32>(0.0f));
+    for (var pillar = 0u; pillar < ground.counts.x; pillar += 1u) {
+        let here = meeting(pillars[pillar], ground.eye.xyz, way, pixel);
+        if less(0.0f, here.covered) && (nearest == NO_PILLAR || less(here.far, met.far)) {
+            nearest = pillar;
+            met = here;
+        }
+    }
+    var light = vec4<f32>(0.0f);
+    if less(met.covered, 1.0f) {
+        light = plane_at(ground, way, pixel);
+    }
+    var sum = light.xyz * light.w;
+    var clear = 1.0f - light.w;
+    if nearest != NO_PILLAR {
+        let pillar = pillars[nearest];
+        let place = ground.eye.xyz + way * met.far;
+        let spot = Spot(place, met.normal, nearest, pillar.extent.yz);
+        sum = sum * (1.0f - met.covered) + pillar.color.xyz * light_on(ground, spot) * met.covered;
+        clear *= 1.0f - met.covered;
+    }
+    ground_pixels[at] = vec4<u32>(bits_of(sum.x), bits_of(sum.y), bits_of(sum.z), bits_of(clear));
+}
