@@ -205,12 +205,14 @@ impl Recording {
         let lines: Vec<&str> = text.lines().collect();
         let unchanged = draft.scene().map_err(|error| of_scene(first, error))?;
         for change in &self.changes {
-            let written = format!("{} {}", change.frame, change.set);
+            let set = change.set.trim();
+            let written = format!("{} {set}", change.frame);
             let line = change.line.checked_sub(1).and_then(|at| lines.get(at));
-            let line = line.copied().unwrap_or(&written);
-            let start = line.trim_end().len() - change.set.len();
+            let line = line.map(|line| line.trim_start_matches('\u{feff}').trim_end());
+            let line = line.filter(|line| line.ends_with(set)).unwrap_or(&written);
+            let start = line.len() - set.len();
             draft
-                .set(&Set::line(file, change.line, line.trim_end(), start))
+                .set(&Set::line(file, change.line, line, start))
                 .map_err(|error| of_scene(change, error))?;
             let turn = Turn {
                 frame: change.frame,

@@ -184,21 +184,17 @@ pub(crate) fn print(text: &str) -> Result<(), CliError> {
     let mut out = std::io::stdout().lock();
     out.write_all(text.as_bytes())
         .and_then(|()| out.flush())
-        .map_err(|e| {
-            let help = match e.kind() {
-                std::io::ErrorKind::BrokenPipe => {
-                    "\n  = help: what reads it has ended; write to a file and read that"
-                }
-                std::io::ErrorKind::StorageFull => {
-                    "\n  = help: make room, or write to another disk"
-                }
-                _ => "\n  = help: direct it to a file that can be written",
-            };
-            CliError {
-                message: format!("error: standard output cannot be written: {e}{help}"),
-                code: 3,
-            }
-        })
+        .map_err(|e| unprinted(&e))
+}
+
+/// Standard output cannot be written.
+fn unprinted(error: &std::io::Error) -> CliError {
+    let help = match error.kind() {
+        std::io::ErrorKind::BrokenPipe => "what reads it has ended; write to a file and read that",
+        std::io::ErrorKind::StorageFull => "make room, or write to another disk",
+        _ => "direct it to a file that can be written",
+    };
+    CliError::machine(format!("standard output cannot be written: {error}"), help)
 }
 
 /// Refuses a folder, or a place below a file, where `argument` needs a file to write.
@@ -254,8 +250,16 @@ pub fn main() -> u8 {
         Ok(cli) => cli,
         Err(e) => {
             // Help and version are no failures; a closed terminal cannot be told about.
-            let _ = e.print();
-            return u8::from(e.use_stderr()) * 2;
+            let printed = e.print().and_then(|()| std::io::stdout().flush());
+            return match printed {
+                _ if e.use_stderr() => 2,
+                Ok(()) => 0,
+                Err(error) => {
+                    let error = unprinted(&error);
+                    note!("{}", error.message);
+                    error.code
+                }
+            };
         }
     };
     let result = match cli.command {

@@ -11,7 +11,7 @@ type Files = BTreeMap<String, Vec<u8>>;
 
 /// A scene that takes long enough to be stopped in the middle. Its particles live without limit,
 /// and most births find no room: nothing but its whole past tells its state.
-const CROWDED: &str = r#"frames = 40
+pub(crate) const CROWDED: &str = r#"frames = 40
 seed = 3
 capacity = 9000
 [image]

@@ -21,7 +21,7 @@ impl Summary {
     pub(super) fn count(&mut self, lines: &[FrameStats]) {
         for line in lines {
             self.dropped += u64::from(line.dropped);
-            self.dropped += u64::from(line.systems_requested - line.systems_born);
+            self.dropped += u64::from(line.systems_requested.saturating_sub(line.systems_born));
             self.most_live = self.most_live.max(line.live);
         }
     }
