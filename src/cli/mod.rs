@@ -66,6 +66,9 @@ enum Command {
     Man(man::ManArgs),
 }
 
+/// The variable that means the same as `--adapter`.
+const ADAPTER: &str = "MOTES_ADAPTER";
+
 /// What a command has to say when it cannot do its work, and with which exit code.
 #[derive(Debug)]
 pub struct CliError {
@@ -243,11 +246,25 @@ where
     Cli::from_arg_matches(&matches).map_err(|error| error.format(&mut command))
 }
 
+/// Whether it is the environment and not what was typed that is no text.
+fn is_of_the_variable(error: &clap::Error) -> bool {
+    error.kind() == clap::error::ErrorKind::InvalidUtf8
+        && std::env::args_os().all(|argument| argument.to_str().is_some())
+        && std::env::var_os(ADAPTER).is_some_and(|it| it.to_str().is_none())
+}
+
 /// Runs the program with the process's arguments; the exit code.
 pub fn main() -> u8 {
     interrupt::outlive_limits();
     let cli = match read(std::env::args_os()) {
         Ok(cli) => cli,
+        Err(e) if is_of_the_variable(&e) => {
+            note!(
+                "error: the variable {ADAPTER} of the environment is not UTF-8\n  = help: let it be auto, \
+                 cpu, or part of an adapter's name, or unset it"
+            );
+            return 2;
+        }
         Err(e) => {
             // Help and version are no failures; a closed terminal cannot be told about.
             let printed = e.print().and_then(|()| std::io::stdout().flush());

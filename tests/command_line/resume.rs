@@ -108,7 +108,7 @@ fn kill_until_done(output: &[&str], kills: u32) {
 
 /// How often runs are killed: `MOTES_FULL=1` for more.
 fn kills() -> u32 {
-    if std::env::var("MOTES_FULL").is_ok_and(|value| value == "1") {
+    if std::env::var("MOTES_FULL").is_ok_and(|value| !value.is_empty() && value != "0") {
         50
     } else {
         8

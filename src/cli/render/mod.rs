@@ -258,10 +258,18 @@ fn say_what_went_wrong(summary: &Summary, simulation: &Simulation) {
     }
     if !summary.lit {
         let why = match summary.most_live {
-            0 => "no particle was alive in them: look at births and frames".to_owned(),
-            live => format!(
-                "up to {live} particles were alive, but dark, too small or out of the camera's sight"
-            ),
+            0 => "nothing was alive in them: look at births and frames".to_owned(),
+            live => {
+                let plan = simulation.plan();
+                let who = match (plan.boid_count, plan.flame_count) {
+                    (count, _) if count == live => "boids",
+                    (_, count) if count == live => "flames",
+                    _ => "particles",
+                };
+                format!(
+                    "up to {live} {who} were alive, but dark, too small or out of the camera's sight"
+                )
+            }
         };
         note!("motes: there is nothing to see in these pictures: {why}");
     }
