@@ -383,6 +383,6 @@ fn a_long_flight_is_checked_in_bounded_time() {
     for _ in 0..200 {
         scene::parse(&text, "f", "f").expect("a right scene");
     }
-    // Each frame of it, looked at, would take minutes.
-    assert!(begun.elapsed().as_secs() < 20, "{:?}", begun.elapsed());
+    // Each frame of it, looked at, would take a minute and more.
+    assert!(begun.elapsed().as_secs() < 12, "{:?}", begun.elapsed());
 }
