@@ -7,10 +7,13 @@
 use std::fmt::Write;
 
 use crate::plan::{self, Turn};
-use crate::scene::{Draft, Loader, SceneError, Set, shortened};
+use crate::scene::{Draft, Loader, Scene, SceneError, Set, shortened};
 
 /// The last frame that a scene can have.
 const MOST_FRAME: u32 = 1_000_000;
+
+/// Changes of a recording at most: the whole scene is checked after each.
+const MOST_CHANGES: usize = 100_000;
 
 /// One change: from `frame` on, `set` holds, as `--set` has it: `path.to.key=value`.
 ///
@@ -94,7 +97,7 @@ impl Recording {
     /// nothing. `file` is for messages.
     ///
     /// # Errors
-    /// A line of another form, or frames out of order; with file and line.
+    /// A line of another form, frames out of order, or more than 100,000 changes; with file and line.
     pub fn parse(text: &str, file: &str) -> Result<Self, RecordingError> {
         Self::parse_from(1, text, file)
     }
@@ -123,6 +126,9 @@ impl Recording {
             }
             if !set.contains('=') {
                 return Err(wrong("no `=`"));
+            }
+            if changes.len() == MOST_CHANGES {
+                return Err(wrong("more than 100,000 changes"));
             }
             changes.push(Change {
                 frame,
@@ -205,17 +211,27 @@ impl Recording {
         let lines: Vec<&str> = text.lines().collect();
         let unchanged = draft.scene().map_err(|error| of_scene(first, error))?;
         for change in &self.changes {
-            let written = format!("{} {}", change.frame, change.set);
+            let set = change.set.trim();
+            let written = format!("{} {set}", change.frame);
             let line = change.line.checked_sub(1).and_then(|at| lines.get(at));
-            let line = line.copied().unwrap_or(&written);
-            let start = line.trim_end().len() - change.set.len();
+            let line = line.map(|line| line.trim_start_matches('\u{feff}').trim_end());
+            let line = line.filter(|line| line.ends_with(set)).unwrap_or(&written);
+            let start = line.len() - set.len();
             draft
-                .set(&Set::line(file, change.line, line.trim_end(), start))
+                .set(&Set::line(file, change.line, line, start))
                 .map_err(|error| of_scene(change, error))?;
             let turn = Turn {
                 frame: change.frame,
                 scene: draft.scene().map_err(|error| of_scene(change, error))?,
             };
+            if let Some(key) = without_effect(&unchanged, &turn.scene) {
+                let place = place(change);
+                let message = format!(
+                    "error: {place}: `{key}` changes nothing in a run that is under way\n  = help: \
+                     set it in the scene, or with --set"
+                );
+                return Err(refused(change, message));
+            }
             plan::check_turn(&unchanged, &turn).map_err(|error| {
                 let place = place(change);
                 refused(
@@ -233,6 +249,22 @@ impl Recording {
         }
         Ok(turns)
     }
+}
+
+/// A key that no frame is made of, and that is not as it was.
+fn without_effect(unchanged: &Scene, turned: &Scene) -> Option<&'static str> {
+    let keys = [
+        ("title", unchanged.title != turned.title),
+        ("description", unchanged.description != turned.description),
+        ("frames", unchanged.frames != turned.frames),
+        ("frame_rate", unchanged.frame_rate != turned.frame_rate),
+        (
+            "steady_particles",
+            unchanged.steady_particles != turned.steady_particles,
+        ),
+    ];
+    let changed = keys.into_iter().find(|(_, is_changed)| *is_changed);
+    changed.map(|(key, _)| key)
 }
 
 impl Checkpoint {

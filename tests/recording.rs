@@ -318,3 +318,71 @@ fn a_turn_may_not_change_what_holds_for_a_whole_run() {
         assert!(error.is_err_and(|e| e.message.contains("frame 3")));
     }
 }
+
+#[test]
+fn changes_that_no_frame_shows_are_refused() {
+    for (set, key) in [
+        ("frames=3", "frames"),
+        ("title=x", "title"),
+        ("description=x", "description"),
+        ("frame_rate=12", "frame_rate"),
+        ("steady_particles=7", "steady_particles"),
+    ] {
+        let recording = Recording::parse(&format!("5 {set}\n"), "r").expect("it is a line");
+        let refused = recording
+            .turns("fountain", &[])
+            .expect_err("it changes nothing");
+        let told = refused.to_string();
+        assert!(told.contains(&format!("`{key}` changes nothing")), "{told}");
+        assert!(told.contains("frame 5") || told.contains(":1"), "{told}");
+    }
+}
+
+#[test]
+fn spaces_around_a_change_that_no_text_has_do_no_harm() {
+    let with = |set: &str| Recording {
+        changes: vec![motes::recording::Change {
+            frame: 5,
+            set: set.to_owned(),
+            line: 0,
+        }],
+    };
+    assert!(with("   ").turns("fountain", &[]).is_err());
+    let turns = |set| with(set).turns("fountain", &[]).expect("it is right");
+    let spaced = turns("  system.jet.speed.mean=0.2  ");
+    assert!(spaced == turns("system.jet.speed.mean=0.2"));
+    let told = with("system.jet.sped=0.2  ").turns("fountain", &[]);
+    let told = told.expect_err("it is none").to_string();
+    let lines: Vec<&str> = told.lines().collect();
+    let carets = lines.iter().position(|line| line.contains('^'));
+    let carets = carets.unwrap_or_else(|| panic!("no carets in {told}"));
+    assert_eq!(
+        lines[carets].find('^'),
+        lines[carets - 1].find("sped"),
+        "{told}"
+    );
+}
+
+#[test]
+fn a_recording_has_an_end() {
+    let lines = |count: usize| "5 system.jet.speed.mean=0.2\n".repeat(count);
+    let most = Recording::parse(&lines(100_000), "r").expect("as many as there may be");
+    assert_eq!(most.changes.len(), 100_000);
+    let error = Recording::parse(&lines(100_001), "r").expect_err("one more");
+    assert!(error.to_string().contains("r:100001: "), "{error}");
+}
+
+#[test]
+fn a_long_flight_is_checked_in_bounded_time() {
+    let keys = "[[0, [0, 0, 5]], [1000000, [0, 9, 5]]]";
+    let text = SCENE.replace(
+        "position = [0, 0, 5]",
+        &format!("position = {{ keys = {keys} }}"),
+    );
+    let begun = std::time::Instant::now();
+    for _ in 0..200 {
+        scene::parse(&text, "f", "f").expect("a right scene");
+    }
+    // Each frame of it, looked at, would take a minute and more.
+    assert!(begun.elapsed().as_secs() < 12, "{:?}", begun.elapsed());
+}

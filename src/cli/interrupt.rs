@@ -1,16 +1,17 @@
 //! Being asked to stop: Ctrl-C, or a signal to end.
 
 use std::io::IsTerminal as _;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::time::Duration;
+use std::sync::{Arc, Weak};
+use std::time::{Duration, Instant};
 
 #[cfg(unix)]
 use signal_hook::consts::{SIGHUP, SIGXFSZ};
 use signal_hook::consts::{SIGINT, SIGTERM};
-use signal_hook::flag;
+use signal_hook::{flag, low_level};
 
 use crate::cli::{CliError, note};
+use crate::output::remove_own;
 
 /// Signals that ask a process to end: from the keyboard, from another, from a closed terminal.
 const SIGNALS: &[i32] = &[
@@ -23,6 +24,9 @@ const SIGNALS: &[i32] = &[
 /// Time between two looks whether a signal has come that the user has not been told of.
 const LOOKED_EVERY: Duration = Duration::from_millis(20);
 
+/// Signals that come within this time are one: `timeout` and shells tell a process and its group.
+const ONE_ASKING: Duration = Duration::from_millis(500);
+
 /// Whether and how the process has been asked to stop. The first time it may finish what it is at,
 /// the second time it ends at once.
 pub(super) struct Interrupt {
@@ -30,41 +34,36 @@ pub(super) struct Interrupt {
 }
 
 /// What has been asked.
+#[derive(Default)]
 struct Asked {
     /// The signal that came last; 0 for none.
     signal: Arc<AtomicUsize>,
+    /// Whether one has come that nobody has looked at yet.
+    has_come: Arc<AtomicBool>,
     is_told: AtomicBool,
 }
 
 impl Interrupt {
-    /// Listens from now on.
+    /// Listens from now on, to those signals that the process was not begun to ignore.
     pub(super) fn listen() -> Result<Self, CliError> {
-        let signal = Arc::new(AtomicUsize::new(0));
-        let asked = Arc::new(AtomicBool::new(false));
-        for &one in SIGNALS {
-            // In this order: the first signal finds `asked` false.
-            flag::register_conditional_shutdown(one, 128 + one, asked.clone())
-                .and_then(|_| flag::register(one, asked.clone()))
-                .and_then(|_| flag::register_usize(one, signal.clone(), one as usize))
-                .map_err(|e| CliError {
-                    message: format!("error: signals cannot be listened to: {e}\n  = help: run it where a process may handle signals"),
-                    code: 3,
-                })?;
-        }
-        let asked = Arc::new(Asked {
-            signal,
-            is_told: AtomicBool::new(false),
-        });
+        let failed = |e: std::io::Error| {
+            CliError::machine(
+                format!("signals cannot be listened to: {e}"),
+                "run it where a process may handle signals",
+            )
+        };
+        let asked = Arc::new(Asked::default());
         let watched = Arc::downgrade(&asked);
-        // A handler of signals may not write. What it cannot tell, the next look at the code does.
-        let _ = std::thread::Builder::new().spawn(move || {
-            while let Some(asked) = watched.upgrade()
-                && asked.signal().is_none()
-            {
-                drop(asked);
-                std::thread::sleep(LOOKED_EVERY);
-            }
-        });
+        // A handler of signals may neither write nor remove files. What it cannot do, this does.
+        std::thread::Builder::new()
+            .spawn(move || watch(&watched))
+            .map_err(failed)?;
+        let ignored = ignored();
+        for &one in SIGNALS.iter().filter(|one| !ignored.contains(one)) {
+            flag::register_usize(one, asked.signal.clone(), one as usize)
+                .and_then(|_| flag::register(one, asked.has_come.clone()))
+                .map_err(failed)?;
+        }
         Ok(Self { asked })
     }
 
@@ -73,6 +72,36 @@ impl Interrupt {
     pub(super) fn exit_code(&self) -> Option<u8> {
         self.asked.signal().map(|signal| 128 + signal as u8)
     }
+}
+
+/// Looks for signals until nobody asks for them any more; at one that comes again, the process ends.
+fn watch(watched: &Weak<Asked>) {
+    let mut first = None;
+    while let Some(asked) = watched.upgrade() {
+        if asked.has_come.swap(false, Ordering::Relaxed) {
+            let since = *first.get_or_insert_with(Instant::now);
+            if since.elapsed() > ONE_ASKING {
+                remove_own();
+                low_level::exit(128 + asked.signal.load(Ordering::Relaxed) as i32);
+            }
+        }
+        asked.signal();
+        drop(asked);
+        std::thread::sleep(LOOKED_EVERY);
+    }
+}
+
+/// Signals that whoever began the process wants it to ignore, as `nohup` does.
+fn ignored() -> Vec<i32> {
+    // Told by Linux alone.
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status
+        .lines()
+        .find_map(|line| line.strip_prefix("SigIgn:"))
+        .and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok())
+        .unwrap_or(0);
+    let is_ignored = |signal: &i32| mask >> (signal - 1) & 1 == 1;
+    SIGNALS.iter().copied().filter(is_ignored).collect()
 }
 
 impl Asked {

@@ -30,7 +30,7 @@ it ran, and the answer is no: an adapter differs (check), it got slower (compare
 the input is at fault: the command line, a scene, an adapter that is not there
 .TP
 3
-the machine is: a device is lost, a disk is full, memory is out
+the machine is: it has no driver to check, a device is lost, a disk is full, memory is out
 .TP
 129, 130, 143
 stopped: the terminal was closed, by Ctrl\\-C, or by a signal to end

@@ -71,6 +71,9 @@ enum Command {
     Man(man::ManArgs),
 }
 
+/// The variable that means the same as `--adapter`.
+const ADAPTER: &str = "MOTES_ADAPTER";
+
 /// What a command has to say when it cannot do its work, and with which exit code.
 #[derive(Debug)]
 pub struct CliError {
@@ -189,21 +192,17 @@ pub(crate) fn print(text: &str) -> Result<(), CliError> {
     let mut out = std::io::stdout().lock();
     out.write_all(text.as_bytes())
         .and_then(|()| out.flush())
-        .map_err(|e| {
-            let help = match e.kind() {
-                std::io::ErrorKind::BrokenPipe => {
-                    "\n  = help: what reads it has ended; write to a file and read that"
-                }
-                std::io::ErrorKind::StorageFull => {
-                    "\n  = help: make room, or write to another disk"
-                }
-                _ => "\n  = help: direct it to a file that can be written",
-            };
-            CliError {
-                message: format!("error: standard output cannot be written: {e}{help}"),
-                code: 3,
-            }
-        })
+        .map_err(|e| unprinted(&e))
+}
+
+/// Standard output cannot be written.
+fn unprinted(error: &std::io::Error) -> CliError {
+    let help = match error.kind() {
+        std::io::ErrorKind::BrokenPipe => "what reads it has ended; write to a file and read that",
+        std::io::ErrorKind::StorageFull => "make room, or write to another disk",
+        _ => "direct it to a file that can be written",
+    };
+    CliError::machine(format!("standard output cannot be written: {error}"), help)
 }
 
 /// Refuses a folder, or a place below a file, where `argument` needs a file to write.
@@ -252,15 +251,37 @@ where
     Cli::from_arg_matches(&matches).map_err(|error| error.format(&mut command))
 }
 
+/// Whether it is the environment and not what was typed that is no text.
+fn is_of_the_variable(error: &clap::Error) -> bool {
+    error.kind() == clap::error::ErrorKind::InvalidUtf8
+        && std::env::args_os().all(|argument| argument.to_str().is_some())
+        && std::env::var_os(ADAPTER).is_some_and(|it| it.to_str().is_none())
+}
+
 /// Runs the program with the process's arguments; the exit code.
 pub fn main() -> u8 {
     interrupt::outlive_limits();
     let cli = match read(std::env::args_os()) {
         Ok(cli) => cli,
+        Err(e) if is_of_the_variable(&e) => {
+            note!(
+                "error: the variable {ADAPTER} of the environment is not UTF-8\n  = help: let it be auto, \
+                 cpu, or part of an adapter's name, or unset it"
+            );
+            return 2;
+        }
         Err(e) => {
             // Help and version are no failures; a closed terminal cannot be told about.
-            let _ = e.print();
-            return u8::from(e.use_stderr()) * 2;
+            let printed = e.print().and_then(|()| std::io::stdout().flush());
+            return match printed {
+                _ if e.use_stderr() => 2,
+                Ok(()) => 0,
+                Err(error) => {
+                    let error = unprinted(&error);
+                    note!("{}", error.message);
+                    error.code
+                }
+            };
         }
     };
     let result = match cli.command {

@@ -1,24 +1,18 @@
 //! A file that appears whole or not at all.
 //!
-//! Bytes go to a hidden file `.motes-TOKEN-…` in the same folder (so that renaming stays on one file system);
+//! Bytes go to a hidden file (`hidden.rs`) in the same folder (so that renaming stays on one file system);
 //! [`AtomicFile::commit`] renames it to its place, and dropping it without that removes it. A killed process leaves at
-//! most the hidden file, whose token ([`token`]) tells whose it was.
+//! most the hidden file, which the next run to the same place removes.
 
-use std::fs::{self, File, OpenOptions, Permissions};
-use std::hash::{BuildHasher as _, RandomState};
+use std::fs::{self, File, Permissions};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::SystemTime;
 
-use super::OutputError;
+use super::special::{end_of_links, is_special, parent_folder, special};
+use super::{OutputError, hidden};
 
 /// Bytes kept back before they are written to the file.
 const BUFFER_BYTES: usize = 1 << 16;
-
-/// Links in a row that are followed.
-const MOST_LINKS: usize = 40;
 
 /// A file being written. See the module's documentation.
 pub(crate) struct AtomicFile {
@@ -26,7 +20,7 @@ pub(crate) struct AtomicFile {
     writer: Option<BufWriter<File>>,
     /// As the user wrote it, for messages.
     asked_path: PathBuf,
-    /// The hidden file and the place it goes to; None where the path is a device or a pipe, which is written directly.
+    /// The hidden file and the place it goes to; None where the path is no plain file (`special.rs`), and is written directly.
     renaming: Option<Renaming>,
 }
 
@@ -40,10 +34,19 @@ struct Renaming {
 impl AtomicFile {
     /// Starts a file that shall stand at `path`; folders that are missing above it are created.
     ///
-    /// A symbolic link is followed, to where there is nothing yet, too, and a device or pipe (`/dev/stdout`) is written as
-    /// it is: renaming would replace it. A file that is replaced hands on its permissions, where that can be.
+    /// A symbolic link is followed, to where there is nothing yet, too, and what is no plain file (`/dev/stdout`) is
+    /// written as it is: renaming would replace it. A file that is replaced hands on its permissions, where that can be.
     pub(crate) fn create(path: &Path) -> Result<Self, OutputError> {
         let asked_path = path.to_owned();
+        if let Some(special) = special(path) {
+            let opened = special.open(path);
+            let file = opened.map_err(|error| OutputError::io(path, "open", error))?;
+            return Ok(Self {
+                writer: Some(BufWriter::with_capacity(BUFFER_BYTES, file)),
+                asked_path,
+                renaming: None,
+            });
+        }
         let mut permissions = None;
         let final_path = match fs::metadata(path) {
             Ok(metadata) if metadata.is_dir() => {
@@ -53,28 +56,23 @@ impl AtomicFile {
                     ErrorKind::IsADirectory.into(),
                 ));
             }
-            Ok(metadata) if metadata.is_file() => {
+            Ok(metadata) => {
                 permissions = Some(metadata.permissions());
                 fs::canonicalize(path).map_err(|error| OutputError::io(path, "write", error))?
-            }
-            Ok(_) => {
-                let device = OpenOptions::new()
-                    .write(true)
-                    .open(path)
-                    .map_err(|error| OutputError::io(path, "open", error))?;
-                return Ok(Self {
-                    writer: Some(BufWriter::with_capacity(BUFFER_BYTES, device)),
-                    asked_path,
-                    renaming: None,
-                });
             }
             // Not there yet, or out of reach: creating the hidden file will tell.
             Err(_) => end_of_links(path)?,
         };
         let folder = parent_folder(&final_path);
-        create_folder(folder)?;
-        let (temporary_path, file) = create_hidden(folder)
-            .map_err(|error| OutputError::io(path, "create a file here", error))?;
+        fs::create_dir_all(folder).map_err(|error| {
+            let attempt = format!("create the folder {}", folder.display());
+            OutputError::io(path, &attempt, error)
+        })?;
+        let name = final_path.file_name().unwrap_or_default();
+        let (temporary_path, file) = hidden::create(folder, name).map_err(|error| {
+            let attempt = format!("create a file in {}", folder.display());
+            OutputError::io(path, &attempt, error)
+        })?;
         Ok(Self {
             writer: Some(BufWriter::with_capacity(BUFFER_BYTES, file)),
             asked_path,
@@ -84,6 +82,16 @@ impl AtomicFile {
                 permissions,
             }),
         })
+    }
+
+    /// As [`AtomicFile::create`], for what is written once in a run; removes what killed ones have left of it.
+    pub(crate) fn begin(path: &Path) -> Result<Self, OutputError> {
+        let file = Self::create(path)?;
+        if let Some(Renaming { final_path, .. }) = &file.renaming {
+            let name = final_path.file_name().unwrap_or_default();
+            hidden::sweep(parent_folder(final_path), name);
+        }
+        Ok(file)
     }
 
     /// The path as it was asked for, for messages.
@@ -106,8 +114,8 @@ impl AtomicFile {
     pub(crate) fn commit(mut self) -> Result<(), OutputError> {
         let mut writer = self.writer.take().expect("taken only here and in drop");
         writer.flush().map_err(|error| self.error(error))?;
-        // Closed before it is renamed: some systems do not rename an open file.
-        drop(writer);
+        // Held until it is renamed, or it would pass for left behind; but some systems rename no open file.
+        let held = cfg!(unix).then_some(writer);
         if let Some(renaming) = &self.renaming {
             if let Some(permissions) = renaming.permissions.clone() {
                 // Some file systems have none; the file is as good without.
@@ -115,7 +123,9 @@ impl AtomicFile {
             }
             fs::rename(&renaming.temporary_path, &renaming.final_path)
                 .map_err(|error| self.error(error))?;
+            hidden::forget(&renaming.temporary_path);
         }
+        drop(held);
         // In place: there is nothing left for drop to remove.
         self.renaming = None;
         Ok(())
@@ -144,6 +154,7 @@ impl Drop for AtomicFile {
         if let Some(renaming) = &self.renaming {
             // Nothing better can be done about a hidden file that will not go.
             let _ = fs::remove_file(&renaming.temporary_path);
+            hidden::forget(&renaming.temporary_path);
         }
     }
 }
@@ -151,63 +162,13 @@ impl Drop for AtomicFile {
 /// Finds out before a long run, rather than after it, whether a file can be written.
 pub(crate) fn probe(path: &Path) -> Result<(), OutputError> {
     // Who reads a pipe would take this for its end.
-    let is_special = fs::metadata(path).is_ok_and(|it| !it.is_file() && !it.is_dir());
-    if is_special {
+    if is_special(path) {
         return Ok(());
     }
-    AtomicFile::create(path).map(drop)
+    AtomicFile::begin(path).map(drop)
 }
 
 /// Creates a folder with all that are missing above it; no error where it exists.
 pub(crate) fn create_folder(folder: &Path) -> Result<(), OutputError> {
     fs::create_dir_all(folder).map_err(|error| OutputError::io(folder, "create the folder", error))
-}
-
-/// The place that links lead to from here, where there need not be anything; `path` itself if it is no link.
-fn end_of_links(path: &Path) -> Result<PathBuf, OutputError> {
-    let mut end = path.to_owned();
-    for _ in 0..MOST_LINKS {
-        match fs::read_link(&end) {
-            Ok(target) => end = parent_folder(&end).join(target),
-            Err(_) => return Ok(end),
-        }
-    }
-    Err(OutputError::usage(
-        path,
-        "links lead from here in a circle, or too far",
-        "give the name of a file",
-    ))
-}
-
-fn parent_folder(path: &Path) -> &Path {
-    match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    }
-}
-
-/// A number that this process has drawn by lot, and puts into the names of its hidden files. Numbers of processes would
-/// not do: they are given again, and machines that share a folder each have their own.
-pub(crate) fn token() -> u64 {
-    static TOKEN: OnceLock<u64> = OnceLock::new();
-    *TOKEN.get_or_init(|| RandomState::new().hash_one((SystemTime::now(), std::process::id())))
-}
-
-/// How the names of all hidden files begin that a process with this token makes.
-pub(crate) fn hidden_prefix(token: u64) -> String {
-    format!(".motes-{token:016x}-")
-}
-
-fn create_hidden(folder: &Path) -> io::Result<(PathBuf, File)> {
-    static NEXT: AtomicU64 = AtomicU64::new(0);
-    let prefix = hidden_prefix(token());
-    loop {
-        let number = NEXT.fetch_add(1, Ordering::Relaxed);
-        let path = folder.join(format!("{prefix}{number}"));
-        match OpenOptions::new().write(true).create_new(true).open(&path) {
-            // Whoever has made it: take the next name.
-            Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
-            result => return result.map(|file| (path, file)),
-        }
-    }
 }

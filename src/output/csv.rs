@@ -117,7 +117,7 @@ impl StatsWriter {
     /// The user's fault: a path that cannot be a file. The machine's: it cannot be written.
     pub fn create(path: &Path) -> Result<Self, OutputError> {
         let mut writer = Self {
-            file: AtomicFile::create(path)?,
+            file: AtomicFile::begin(path)?,
         };
         writer.line(HEADER)?;
         Ok(writer)

@@ -5,6 +5,9 @@ use std::fmt;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
+/// What helps where a disk is full.
+pub(super) const NO_ROOM: &str = "make room, or choose another disk";
+
 /// An output that could not be written: which file, what is wrong, and what would be right.
 ///
 /// [`fmt::Display`] gives a line with the file and the problem and, where there is advice, more, indented lines.
@@ -87,7 +90,7 @@ fn judge(kind: ErrorKind) -> (bool, &'static str) {
             (false, "choose a folder that you may write to")
         }
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded | ErrorKind::FileTooLarge => {
-            (false, "make room, or choose another disk")
+            (false, NO_ROOM)
         }
         _ => (false, "choose another place to write to"),
     }

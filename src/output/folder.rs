@@ -8,7 +8,8 @@ use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use super::OutputError;
-use super::atomic::{AtomicFile, create_folder, hidden_prefix, token};
+use super::atomic::{AtomicFile, create_folder};
+use super::hidden::{hidden_prefix, token};
 
 /// Folders of one name that may stand beside each other.
 const MOST_OF_A_NAME: u32 = 10_000;

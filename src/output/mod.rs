@@ -26,6 +26,7 @@ mod error;
 mod exr;
 mod folder;
 mod gif;
+mod hidden;
 mod layer;
 mod mp4;
 mod pattern;
@@ -33,10 +34,11 @@ mod picture;
 mod ply;
 mod png;
 mod sink;
+mod special;
 mod svg;
 mod target;
 
-pub(crate) use atomic::{AtomicFile, hidden_prefix, probe, token};
+pub(crate) use atomic::{AtomicFile, probe};
 pub(crate) use csv::quoted_field;
 pub use csv::{
     BoidCounts, FlameCounts, Measured, ParticleCounts, StatsRow, StatsWriter, SystemCounts,
@@ -44,11 +46,13 @@ pub use csv::{
 pub use error::OutputError;
 pub use exr::write_exr;
 pub(crate) use folder::{AtomicFolder, write_whole};
+pub(crate) use hidden::{hidden_prefix, remove_own, token};
 pub use pattern::FramePattern;
 pub use picture::{LinearImage, Picture, PictureRef, Pixels, Rgba8Image};
 pub use ply::{dump_path, write_boids, write_flames, write_particles};
 pub(crate) use png::read_png;
 pub use png::write_png;
 pub use sink::{FrameSink, Written};
+pub(crate) use special::is_special;
 pub use svg::{Drawing, write_svg};
 pub use target::OutputTarget;

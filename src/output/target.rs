@@ -180,6 +180,14 @@ impl OutputTarget {
                 format!("use {}.png", out.trim_end_matches(std::path::is_separator)),
             ));
         }
+        Self::in_folder(out)
+    }
+
+    /// A PNG a frame in that folder, whatever its name.
+    ///
+    /// # Errors
+    /// The user's fault: something else stands there.
+    pub(crate) fn in_folder(out: &str) -> Result<Self, OutputError> {
         // With a slash at its end a file would be none.
         let there = out.trim_end_matches(std::path::is_separator);
         let there = fs::metadata(there).ok().filter(|it| !it.is_dir());

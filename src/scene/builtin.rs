@@ -86,6 +86,9 @@ pub const BUILTIN_FILES: &[(&str, &[u8])] = &[(
     include_bytes!("../../scenes/meshes/torus-knot.obj"),
 )];
 
+/// Names of a folder that are looked through for one like another, at most.
+const MOST_NAMES: usize = 10_000;
+
 /// Bytes of a scene file at most.
 const MAX_BYTES: u64 = 1 << 20;
 
@@ -132,6 +135,13 @@ fn is_path(name_or_path: &str) -> bool {
 }
 
 fn unknown(name: &str) -> SceneError {
+    if Path::new(name).is_dir() {
+        return SceneError::general(
+            format!("`{}` is a folder, and a scene is a file", shortened(name)),
+            None,
+            "a path to a scene's TOML file; `motes scenes` lists the built-in scenes",
+        );
+    }
     let file = format!("{name}.toml");
     if Path::new(&file).is_file() {
         return SceneError::general(
@@ -157,13 +167,19 @@ fn unknown(name: &str) -> SceneError {
 
 fn read(path: &str) -> Result<String, SceneError> {
     let refuse = |what: String, help: &str| SceneError::general(what, Some(path), help);
+    let expected = "a path to a scene's TOML file; `motes scenes` lists the built-in scenes";
     let cannot = |error: std::io::Error| {
         let help = match error.kind() {
-            std::io::ErrorKind::PermissionDenied => "a file that you may read",
-            _ => "a path to a scene's TOML file; `motes scenes` lists the built-in scenes",
+            std::io::ErrorKind::PermissionDenied => "a file that you may read".to_owned(),
+            std::io::ErrorKind::NotFound => like(path) + expected,
+            _ => expected.to_owned(),
         };
-        refuse(format!("the scene file cannot be read: {error}"), help)
+        refuse(format!("the scene file cannot be read: {error}"), &help)
     };
+    if Path::new(path).is_dir() {
+        let what = "this is a folder, and a scene is a file".to_owned();
+        return Err(refuse(what, expected));
+    }
     let file = File::open(path).map_err(cannot)?;
     let mut bytes = Vec::new();
     // One byte more than allowed is enough to know, whatever the file's size claims to be.
@@ -192,6 +208,33 @@ fn read(path: &str) -> Result<String, SceneError> {
         let what = format!("the scene file is not UTF-8 from byte {end} on");
         not_text(error.as_bytes(), end, what)
     })
+}
+
+/// A question whether a file beside the one that is missing was meant, or a built-in scene; or
+/// nothing.
+fn like(path: &str) -> String {
+    let path = Path::new(path);
+    let Some(name) = path.file_name().and_then(|name| name.to_str()) else {
+        return String::new();
+    };
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let looked_in = match folder.as_os_str().is_empty() {
+        true => Path::new("."),
+        false => folder,
+    };
+    let entries = looked_in.read_dir().into_iter().flatten().take(MOST_NAMES);
+    let names = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
+    let names: Vec<String> = names.filter(|name| is_path(name)).collect();
+    let close = nearest(name, names.iter().map(String::as_str));
+    if let Some(close) = close.first() {
+        let close = folder.join(close).display().to_string();
+        return format!("did you mean `{}`? ", shortened(&close));
+    }
+    let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+    match nearest(stem, BUILTIN.iter().map(|scene| scene.name)).first() {
+        Some(close) => format!("did you mean `{close}`, which is built in? "),
+        None => String::new(),
+    }
 }
 
 /// Bytes before the first that is not UTF-8.

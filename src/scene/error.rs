@@ -173,9 +173,10 @@ impl Place {
         let line = text[line_start..line_end].trim_end_matches('\r');
         let end = floor_char_boundary(text, span.end.min(line_start + line.len())).max(start);
 
-        let before = text[line_start..start].chars().count();
-        let marked = text[start..end].chars().count().max(1);
         let length = line.chars().count();
+        // The place may be among the carriage returns that end the line.
+        let before = text[line_start..start].chars().count().min(length);
+        let marked = text[start..end].chars().count().max(1);
         let skipped = if length <= SNIPPET_CHARS {
             0
         } else {
@@ -283,4 +284,27 @@ fn floor_char_boundary(text: &str, index: usize) -> usize {
         .rev()
         .find(|&i| text.is_char_boundary(i))
         .unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_place_among_what_ends_a_line_is_at_its_end() {
+        for letters in [0, 30, 99, 100, 101, 300] {
+            for returns in [0, 1, 200, 500] {
+                let text = "x".repeat(letters) + &"\r".repeat(returns);
+                for at in 0..=text.len() {
+                    let span = at..at + 1;
+                    let error = SceneError::located("what", ("f", &text, Some(1)), span, "help");
+                    let column = at.min(letters) + 1;
+                    assert_eq!(error.column(), Some(column), "{letters} {returns} {at}");
+                    let printed = error.to_string();
+                    let carets = printed.lines().nth(4).expect("it has a snippet");
+                    assert!(carets.len() < 120 && carets.ends_with('^'), "{printed}");
+                }
+            }
+        }
+    }
 }

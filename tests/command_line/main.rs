@@ -8,6 +8,7 @@ mod meshes;
 mod outputs;
 mod readme;
 mod refused;
+mod remains;
 mod render;
 mod reports;
 mod resume;

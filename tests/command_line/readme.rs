@@ -135,3 +135,64 @@ fn the_readmes_commands_work() {
         );
     }
 }
+
+#[test]
+fn the_way_from_a_slip_to_a_film_is_as_the_page_says() {
+    const PAGE: &str = include_str!("../../scenes/README.md");
+    let (_, section) = PAGE
+        .split_once("## From a slip to a film\n")
+        .expect("the page has this section");
+    let (section, _) = section.split_once("\n## ").expect("another follows");
+    // Runs of indented lines, with what is empty among them.
+    let mut blocks = vec![String::new()];
+    for line in section.lines() {
+        match line.strip_prefix("    ") {
+            Some(line) => blocks
+                .last_mut()
+                .expect("there is one")
+                .push_str(&format!("{line}\n")),
+            None if line.is_empty() => blocks.last_mut().expect("there is one").push('\n'),
+            None => blocks.push(String::new()),
+        }
+    }
+    let blocks: Vec<&str> = blocks
+        .iter()
+        .map(|it| it.trim())
+        .filter(|it| !it.is_empty())
+        .collect();
+    let &[scene, refused, mended, film] = &blocks[..] else {
+        panic!("{blocks:#?}");
+    };
+    let here = Workshop::new();
+    here.write("spray.toml", scene);
+    let (command, told) = refused.split_once('\n').expect("a command and an answer");
+    let words: Vec<&str> = command.split(' ').skip(2).collect();
+    let ended = here.run(&words);
+    assert_eq!(ended.code, 2, "{}", ended.stderr);
+    assert_eq!(ended.stderr.trim_end(), told);
+    let slip = scene
+        .lines()
+        .find(|line| line.contains("angel"))
+        .expect("a slip");
+    here.write("spray.toml", scene.replace(slip, mended));
+    let (again, told) = film.split_once('\n').expect("a command and an answer");
+    assert_eq!(again, command);
+    let (_, wrote) = told.split_once('\n').expect("two lines");
+    // A film needs ffmpeg, which not every machine has; a GIF has the same frames.
+    let words: Vec<&str> = words
+        .iter()
+        .map(|it| match *it {
+            "spray.mp4" => "spray.gif",
+            word => word,
+        })
+        .collect();
+    let ended = here.run(&words);
+    assert_eq!(ended.code, 0, "{}", ended.stderr);
+    let (wrote, _) = wrote.rsplit_once(" in ").expect("it says how long it took");
+    let wrote = wrote.replace(".mp4", ".gif");
+    assert!(
+        ended.stderr.contains(&wrote),
+        "{} has no {wrote}",
+        ended.stderr
+    );
+}

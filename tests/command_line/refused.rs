@@ -61,6 +61,40 @@ fn an_unknown_scene_is_answered_with_the_nearest_name() {
 }
 
 #[test]
+fn a_file_that_is_missing_is_answered_with_the_nearest_there_is() {
+    let here = Workshop::new();
+    here.write("scenes/campfire.toml", crate::SPARKS);
+    for (given, said) in [
+        ("spark.toml", "did you mean `sparks.toml`?"),
+        (
+            "scenes/campfir.toml",
+            "did you mean `scenes/campfire.toml`?",
+        ),
+        (
+            "firework.toml",
+            "did you mean `fireworks`, which is built in?",
+        ),
+        (".", "is a folder"),
+        ("scenes", "is a folder"),
+        ("scenes/", "is a folder"),
+    ] {
+        refused(&here, &["render", given], 2, &[said]);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_variable_that_is_no_text_is_named() {
+    use std::os::unix::ffi::OsStrExt as _;
+    let here = Workshop::new();
+    let mut command = here.command(&["render", "sparks.toml", "-o", "a.gif"]);
+    let value = std::ffi::OsStr::from_bytes(b"llvm\xff");
+    let ended = Ended::of(command.env("MOTES_ADAPTER", value).output());
+    assert_eq!(ended.code, 2, "{}", ended.stderr);
+    assert!(ended.stderr.contains("MOTES_ADAPTER"), "{}", ended.stderr);
+}
+
+#[test]
 fn a_wrong_scene_file_is_answered_with_file_line_and_column() {
     let here = Workshop::new();
     let wrong_files: &[(&str, &[&str])] = &[

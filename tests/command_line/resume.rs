@@ -11,7 +11,7 @@ type Files = BTreeMap<String, Vec<u8>>;
 
 /// A scene that takes long enough to be stopped in the middle. Its particles live without limit,
 /// and most births find no room: nothing but its whole past tells its state.
-const CROWDED: &str = r#"frames = 40
+pub(crate) const CROWDED: &str = r#"frames = 40
 seed = 3
 capacity = 9000
 [image]
@@ -108,7 +108,7 @@ fn kill_until_done(output: &[&str], kills: u32) {
 
 /// How often runs are killed: `MOTES_FULL=1` for more.
 fn kills() -> u32 {
-    if std::env::var("MOTES_FULL").is_ok_and(|value| value == "1") {
+    if std::env::var("MOTES_FULL").is_ok_and(|value| !value.is_empty() && value != "0") {
         50
     } else {
         8

@@ -40,7 +40,7 @@ cut-off)
     echo "Error closing file: No space left on device" >&2
     ;;
 at-once)
-    echo "unknown option" >&2
+    echo "unknown option in $last" >&2
     exit 7
     ;;
 half-way)

@@ -104,8 +104,15 @@ fn an_ffmpeg_that_fails_is_the_machines_fault_and_leaves_nothing() {
     for (behaviour, said) in [
         ("broken", &["127", "shared libraries"][..]),
         ("no-encoder", &["no libx264", ".gif"]),
-        ("at-once", &["exit status: 7", "unknown option"]),
-        ("half-way", &["exit status: 1", "no space left on device"]),
+        ("at-once", &["exit status: 7", "unknown option in a.mp4\n"]),
+        (
+            "half-way",
+            &[
+                "exit status: 1",
+                "no space left on device",
+                "help: make room",
+            ],
+        ),
         ("at-end", &["exit status: 1", "complaint 4999"]),
         ("killed", &["signal: 9", "said nothing"]),
         ("deaf", &["takes no more frames"]),
@@ -126,6 +133,9 @@ fn an_ffmpeg_that_fails_is_the_machines_fault_and_leaves_nothing() {
             );
         }
         assert!(told.lines().count() < 9, "{behaviour}: {told}");
+        // Its words are no advice, and nobody knows the hidden file.
+        assert!(told.contains("\n  = help: "), "{behaviour}: {told}");
+        assert!(!told.contains(".motes-"), "{behaviour}: {told}");
         assert!(time < Duration::from_secs(30), "{behaviour}: {time:?}");
         let left: Vec<_> = studio.files();
         let left: Vec<_> = left.iter().filter(|n| *n != "arguments.txt").collect();

@@ -300,8 +300,11 @@ fn command(args: &CheckArgs, job: &Job) -> String {
         true => " --allow-outside",
         false => "",
     };
+    // As a shell reads it, where a quoted text ends at the first apostrophe.
+    let quoted = |text: &str| format!("'{}'", text.replace('\'', "'\\''"));
+    let (scene, frames) = (quoted(&job.asked), job.frames);
+    let (adapter, against) = (quoted(&args.adapter), quoted(&args.against));
     format!(
-        "motes check '{}' --frames {} --adapter '{}' --against '{}'{full}{outside}",
-        job.asked, job.frames, args.adapter, args.against
+        "motes check {scene} --frames {frames} --adapter {adapter} --against {against}{full}{outside}"
     )
 }

@@ -12,7 +12,7 @@ mod summary;
 mod tests;
 
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use super::interrupt::Interrupt;
@@ -58,18 +58,11 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
     super::tell_notes(std::iter::once(scene).chain(turned));
     say_where(&args, &simulation, scene);
     say_what_is_beyond(&request);
-    // First of all outputs, so that it knows who began what is left of them.
-    let has_files = !target.is_animation() && frames.len() > 1;
-    let kept = if args.resume || has_files {
-        journal(&args, &request, &simulation)?
-    } else {
-        None
-    };
-    let (journal, finished) = kept.map_or((None, Finished::default()), |(journal, finished)| {
-        (Some(journal), finished)
-    });
+    let mut kept = resumed(&args, &request, &simulation)?;
     if args.no_clobber {
-        request::refuse_to_replace(&args, &request, &finished)?;
+        let none = Finished::default();
+        let finished = kept.as_ref().map_or(&none, |(_, finished)| finished);
+        request::refuse_to_replace(&args, &request, finished)?;
     }
     for frame in &request.dumps {
         for path in request.dumps_of(*frame) {
@@ -89,10 +82,20 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
             frames.len() as u32,
         )?),
     };
+    let stats = args.stats.as_deref().map(StatsWriter::create).transpose()?;
+    // When nothing is in its way any more: what a stopped run had noted is lost by it.
+    let has_files = !target.is_animation() && frames.len() > 1;
+    if kept.is_none() && (args.resume || has_files) {
+        let journal = new_journal(&args, &request, &simulation)?;
+        kept = journal.map(|journal| (journal, Finished::default()));
+    }
+    let (journal, finished) = kept.map_or((None, Finished::default()), |(journal, finished)| {
+        (Some(journal), finished)
+    });
     let mut job = Job {
         pictures,
         request: &request,
-        stats: args.stats.as_deref().map(StatsWriter::create).transpose()?,
+        stats,
         journal,
         snapshot_every: Duration::from_secs_f64(args.snapshot_every),
         keeps_states: true,
@@ -168,42 +171,55 @@ fn identity(args: &RenderArgs, request: &Request, simulation: &Simulation) -> u6
     journal::digest_of(all.as_bytes())
 }
 
-/// The run's journal: a new one, or that of a stopped run to go on from. `None` where the output is
-/// no file.
-fn journal(
+/// Where the outputs of a run are.
+fn folders(args: &RenderArgs, request: &Request) -> Vec<PathBuf> {
+    let (pictures, _) = request.target.folder_and_name();
+    let stats = args.stats.as_deref().and_then(Path::parent);
+    let stats = stats.map(Path::to_owned);
+    let always = [pictures, request.dump_dir.clone()];
+    always.into_iter().chain(stats).collect()
+}
+
+/// The journal of a stopped run to go on from, and what it says; `None` where there is none, or is
+/// not to be.
+fn resumed(
     args: &RenderArgs,
     request: &Request,
     simulation: &Simulation,
 ) -> Result<Option<(Journal, Finished)>, CliError> {
+    if !args.resume {
+        return Ok(None);
+    }
     let Some(folder) = journal::place(&request.target, &request.frames) else {
-        if args.resume {
-            return Err(CliError::usage(
-                format!(
-                    "{} is no file to go on with",
-                    request.target.path().display()
-                ),
-                "leave out --resume, or give a file after -o",
-            ));
+        let path = request.target.path();
+        return Err(CliError::usage(
+            format!("{} is no file to go on with", path.display()),
+            "leave out --resume, or give a file after -o",
+        ));
+    };
+    let identity = identity(args, request, simulation);
+    let found = Journal::resume(&folder, identity, &folders(args, request))?;
+    match &found {
+        Some((_, finished)) => {
+            let count = finished.count();
+            note!("motes: going on after {count} finished frames");
         }
+        None => note!("motes: no stopped run of this is here; beginning with its first frame"),
+    }
+    Ok(found)
+}
+
+/// A new journal, in place of any that there is; `None` where the output is no file.
+fn new_journal(
+    args: &RenderArgs,
+    request: &Request,
+    simulation: &Simulation,
+) -> Result<Option<Journal>, CliError> {
+    let Some(folder) = journal::place(&request.target, &request.frames) else {
         return Ok(None);
     };
     let identity = identity(args, request, simulation);
-    let (pictures_folder, _) = request.target.folder_and_name();
-    let stats_folder = args.stats.as_deref().and_then(Path::parent);
-    let mut outputs = vec![pictures_folder.as_path(), &request.dump_dir];
-    outputs.extend(stats_folder);
-    if args.resume
-        && let Some((journal, finished)) = Journal::resume(&folder, identity, &outputs)?
-    {
-        let count = finished.count();
-        note!("motes: going on after {count} finished frames");
-        return Ok(Some((journal, finished)));
-    }
-    if args.resume {
-        note!("motes: no stopped run of this is here; beginning with its first frame");
-    }
-    let journal = Journal::begin(&folder, identity, &outputs)?;
-    Ok(Some((journal, Finished::default())))
+    Journal::begin(&folder, identity, &folders(args, request)).map(Some)
 }
 
 fn say_where(args: &RenderArgs, simulation: &Simulation, scene: &Scene) {
@@ -244,10 +260,18 @@ fn say_what_went_wrong(summary: &Summary, simulation: &Simulation) {
     }
     if !summary.lit {
         let why = match summary.most_live {
-            0 => "no particle was alive in them: look at births and frames".to_owned(),
-            live => format!(
-                "up to {live} particles were alive, but dark, too small or out of the camera's sight"
-            ),
+            0 => "nothing was alive in them: look at births and frames".to_owned(),
+            live => {
+                let plan = simulation.plan();
+                let who = match (plan.boid_count, plan.flame_count) {
+                    (count, _) if count == live => "boids",
+                    (_, count) if count == live => "flames",
+                    _ => "particles",
+                };
+                format!(
+                    "up to {live} {who} were alive, but dark, too small or out of the camera's sight"
+                )
+            }
         };
         note!("motes: there is nothing to see in these pictures: {why}");
     }

@@ -10,7 +10,7 @@ use super::journal::Finished;
 use super::series;
 use crate::cli::collisions::Output;
 use crate::cli::{CliError, refuse_folder};
-use crate::output::{OutputTarget, dump_path};
+use crate::output::{OutputTarget, dump_path, is_special};
 use crate::plan::{Population, Turn};
 use crate::recording::Recording;
 use crate::scene::{Scene, Set};
@@ -58,8 +58,9 @@ pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
     }
     let target = match &args.output {
         Some(out) => OutputTarget::parse(out)?,
-        None => OutputTarget::Folder(folder),
+        None => OutputTarget::in_folder(&folder.display().to_string())?,
     };
+    refuse_many(&target, frames.len())?;
     let layers = if args.layers {
         scene.layer_names()
     } else {
@@ -103,15 +104,6 @@ pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
             "a folder, name-%04d.png or name.png, or .exr instead of .png, after -o",
         ));
     }
-    if matches!(target, OutputTarget::Svg(_)) && frames.len() > 1 {
-        return Err(CliError::usage(
-            format!(
-                "a line drawing holds one frame, and there are {}",
-                frames.len()
-            ),
-            "pick one with --frame",
-        ));
-    }
     Ok(Request {
         scene,
         frames,
@@ -123,6 +115,28 @@ pub(super) fn request(args: &RenderArgs) -> Result<Request, CliError> {
         recording,
         turns,
     })
+}
+
+/// Refuses more frames than one where the output holds no more.
+fn refuse_many(target: &OutputTarget, count: usize) -> Result<(), CliError> {
+    let (what, help) = match target {
+        _ if count < 2 => return Ok(()),
+        OutputTarget::Svg(_) => ("line drawing", "pick one with --frame"),
+        OutputTarget::Png(_) => (
+            "PNG",
+            "use name-%04d.png, .gif or .mp4, or pick one with --frame",
+        ),
+        OutputTarget::Exr(_) => ("EXR", "use name-%04d.exr, or pick one with --frame"),
+        _ => return Ok(()),
+    };
+    let path = target.path();
+    Err(CliError::usage(
+        format!(
+            "{}: one {what} holds one frame, and there are {count}",
+            path.display()
+        ),
+        help,
+    ))
 }
 
 impl Request {
@@ -160,11 +174,16 @@ pub(super) fn refuse_to_replace(
     let target = &request.target;
     let shared = target.is_animation().then(|| target.path());
     let frames = request.frames.clone();
-    let new = frames.filter(|frame| !finished.has(*frame));
-    let mut files = shared
-        .into_iter()
-        .chain(new.flat_map(|frame| request.files_of(frame)))
-        .chain(args.stats.clone());
+    // A run that was killed may have put a frame in its place, and not have come to note it.
+    let next = frames.clone().find(|frame| !finished.has(*frame));
+    let is_own =
+        |frame: &u32| finished.has(*frame) || finished.is_resumed() && next == Some(*frame);
+    let new = frames.filter(|frame| !is_own(frame));
+    let new = new.flat_map(|frame| request.files_of(frame));
+    // Those of all frames come last.
+    let common = shared.into_iter().chain(args.stats.clone());
+    let common = common.filter(|_| next.is_some());
+    let mut files = common.chain(new).filter(|file| !is_special(file));
     match files.find(|file| file.is_file()) {
         None => Ok(()),
         Some(file) => Err(CliError::usage(

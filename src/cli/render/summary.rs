@@ -10,7 +10,7 @@ pub(super) struct Summary {
     pub(super) dropped: u64,
     /// Most particles alive after a frame, or the number of boids or flames if that is greater.
     pub(super) most_live: u32,
-    /// Whether any pixel differed from the others of its picture.
+    /// Whether any pixel differed from the others of its picture, or had none to differ from.
     pub(super) lit: bool,
     /// The frame that was next when it was asked to stop, and the exit code for that.
     pub(super) stopped: Option<(u32, u8)>,
@@ -21,7 +21,7 @@ impl Summary {
     pub(super) fn count(&mut self, lines: &[FrameStats]) {
         for line in lines {
             self.dropped += u64::from(line.dropped);
-            self.dropped += u64::from(line.systems_requested - line.systems_born);
+            self.dropped += u64::from(line.systems_requested.saturating_sub(line.systems_born));
             self.most_live = self.most_live.max(line.live);
         }
     }
@@ -32,16 +32,16 @@ impl Summary {
     }
 }
 
-/// Whether a pixel differs from the first.
+/// Whether a pixel differs from the first; of one alone, nobody knows whether it shows anything.
 fn is_lit(picture: &Picture) -> bool {
     match picture {
         Picture::Bytes(image) => {
             let (pixels, _) = image.pixels.as_chunks::<4>();
-            pixels.iter().any(|pixel| Some(pixel) != pixels.first())
+            pixels.len() == 1 || pixels.iter().any(|pixel| Some(pixel) != pixels.first())
         }
         Picture::Linear(image) => {
             let (pixels, _) = image.pixels.as_chunks::<3>();
-            pixels.iter().any(|pixel| Some(pixel) != pixels.first())
+            pixels.len() == 1 || pixels.iter().any(|pixel| Some(pixel) != pixels.first())
         }
     }
 }

@@ -109,9 +109,12 @@ fn render(
     let target = OutputTarget::parse(&folder.join(out).display().to_string())?;
     let interrupt = Interrupt::listen()?;
     let place = folder.join(".journal");
-    let (journal, finished) = match Journal::resume(&place, 1, &[folder])? {
+    let (journal, finished) = match Journal::resume(&place, 1, &[folder.to_owned()])? {
         Some(found) => found,
-        None => (Journal::begin(&place, 1, &[folder])?, Finished::default()),
+        None => (
+            Journal::begin(&place, 1, &[folder.to_owned()])?,
+            Finished::default(),
+        ),
     };
     let sink = FrameSink::open(&target, 64, 36, 24.0, FRAMES)?;
     let request = Request {

@@ -54,7 +54,7 @@ impl GifWriter {
                 "a GIF shows a frame for at most 655 seconds",
             ));
         };
-        let file = AtomicFile::create(path)?;
+        let file = AtomicFile::begin(path)?;
         let started = Encoder::new(file, side_x, side_y, &[]).and_then(|mut encoder| {
             encoder.set_repeat(Repeat::Infinite)?;
             Ok(encoder)

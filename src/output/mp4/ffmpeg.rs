@@ -116,13 +116,9 @@ impl Ffmpeg {
         }
     }
 
-    /// What it said last, to be put behind a sentence; nothing if it said nothing.
-    pub(super) fn last_words(&mut self) -> String {
-        let lines = self.words.last_lines();
-        if lines.is_empty() {
-            return String::new();
-        }
-        format!(", and it said at last:\n  {}", lines.join("\n  "))
+    /// What it said last.
+    pub(super) fn last_lines(&self) -> Vec<String> {
+        self.words.last_lines()
     }
 
     fn failure(&mut self, how: String) -> Failure {

@@ -12,7 +12,9 @@ use std::path::Path;
 
 use self::ffmpeg::{Failure, Ffmpeg};
 use super::atomic::AtomicFile;
+use super::error::NO_ROOM;
 use super::picture::over_black;
+use super::special::is_special;
 use super::{OutputError, Rgba8Image};
 
 /// Particles are small and bright on black: what x264 makes of them at its default of 23 is smeared.
@@ -44,14 +46,19 @@ impl Mp4Writer {
         height: u32,
         frame_rate: f64,
     ) -> Result<Self, OutputError> {
-        let file = AtomicFile::create(path)?;
-        let Some(hidden) = file.hidden_path() else {
-            return Err(OutputError::usage(
+        let no_file = || {
+            OutputError::usage(
                 path,
                 "an MP4 is not written in one go, as a device or a pipe needs it",
                 "give the name of a file, or write a .gif",
-            ));
+            )
         };
+        // To open a pipe would be to wait for who reads it.
+        if is_special(path) {
+            return Err(no_file());
+        }
+        let file = AtomicFile::begin(path)?;
+        let hidden = file.hidden_path().ok_or_else(no_file)?;
         // A plain path could be taken for an option or for a protocol.
         let mut url = OsString::from("file:");
         url.push(hidden);
@@ -61,7 +68,7 @@ impl Mp4Writer {
             Ffmpeg::start(arguments)
         });
         Ok(Self {
-            ffmpeg: started.map_err(|failure| told(path, failure))?,
+            ffmpeg: started.map_err(|failure| told(&file, failure))?,
             file,
             buffer: Vec::new(),
             frames: 0,
@@ -73,7 +80,7 @@ impl Mp4Writer {
         fill_even(&mut self.buffer, image);
         self.frames += 1;
         let written = self.ffmpeg.write(&self.buffer);
-        written.map_err(|failure| told(self.file.path(), failure))
+        written.map_err(|failure| told(&self.file, failure))
     }
 
     /// Completes the film and puts it in its place.
@@ -87,18 +94,15 @@ impl Mp4Writer {
             ));
         }
         let finished = self.ffmpeg.finish();
-        finished.map_err(|failure| told(path, failure))?;
+        finished.map_err(|failure| told(&self.file, failure))?;
         // Some end well though the disk is full.
         let hidden = self.file.hidden_path();
         if !hidden.is_some_and(|hidden| boxes::is_whole(hidden).unwrap_or(false)) {
-            return Err(OutputError::machine(
-                path,
-                format!(
-                    "ffmpeg ended well, but the film is not whole{}",
-                    self.ffmpeg.last_words()
-                ),
-                "make room if the disk is full; else see whether the `ffmpeg` on the PATH is one",
-            ));
+            let lines = self.ffmpeg.last_lines();
+            let problem = "ffmpeg ended well, but the film is not whole".to_owned();
+            let advice =
+                "make room if the disk is full; else see whether the `ffmpeg` on the PATH is one";
+            return Err(with_words(&self.file, problem, &lines, advice));
         }
         self.file.commit()
     }
@@ -177,7 +181,8 @@ fn fill_even(buffer: &mut Vec<u8>, image: &Rgba8Image) {
 }
 
 /// The failure in the user's words; all of them are the machine's fault.
-fn told(path: &Path, failure: Failure) -> OutputError {
+fn told(file: &AtomicFile, failure: Failure) -> OutputError {
+    let path = file.path();
     let install = "`apt-get install ffmpeg` or its like brings it; or write a .gif";
     match failure {
         Failure::Missing => OutputError::machine(path, "no ffmpeg on the PATH", install),
@@ -189,15 +194,33 @@ fn told(path: &Path, failure: Failure) -> OutputError {
             format!("the ffmpeg on the PATH has no {encoder}, which makes H.264"),
             "put one on the PATH that has it; or write a .gif",
         ),
-        Failure::Failed { how, last_lines } if last_lines.is_empty() => {
-            OutputError::machine(path, format!("ffmpeg failed ({how}) and said nothing"), "")
+        Failure::Failed { how, last_lines } => {
+            let problem = match last_lines.is_empty() {
+                true => format!("ffmpeg failed ({how}) and said nothing"),
+                false => format!("ffmpeg failed ({how})"),
+            };
+            let advice = "see whether the `ffmpeg` on the PATH works; or write a .gif";
+            with_words(file, problem, &last_lines, advice)
         }
-        Failure::Failed { how, last_lines } => OutputError::machine(
-            path,
-            format!("ffmpeg failed ({how}), and said at last:"),
-            last_lines.join("\n  "),
-        ),
     }
+}
+
+/// What is wrong, with ffmpeg's last lines, in which the hidden file has the name of the film.
+fn with_words(file: &AtomicFile, problem: String, lines: &[String], advice: &str) -> OutputError {
+    let path = file.path();
+    let mut words = lines.join("\n  ");
+    if let Some(hidden) = file.hidden_path() {
+        let (hidden, shown) = (hidden.display().to_string(), path.display().to_string());
+        words = words.replace(&format!("file:{hidden}"), &hidden);
+        words = words.replace(&hidden, &shown);
+    }
+    let is_full = words.to_ascii_lowercase().contains("no space left");
+    let advice = if is_full { NO_ROOM } else { advice };
+    let problem = match words.is_empty() {
+        true => problem,
+        false => format!("{problem}, and it said at last:\n  {words}"),
+    };
+    OutputError::machine(path, problem, advice)
 }
 
 #[cfg(test)]

@@ -8,6 +8,9 @@ use crate::scene::{GenerationShape, Interpolation, Owner, Scene, SceneError, Tra
 /// Parts of a smooth change between two keys that are looked at.
 const SMOOTH_PARTS: i32 = 32;
 
+/// Frames of a camera's path that are looked at; of longer ones, as many, evenly spread.
+const MOST_FRAMES: usize = 4096;
+
 /// What is checked of values that do not change holds of those that do.
 pub(in crate::scene) fn tracks(scene: &Scene, root: &Node) -> Result<(), SceneError> {
     if scene.tracks.is_empty() {
@@ -25,15 +28,19 @@ pub(in crate::scene) fn tracks(scene: &Scene, root: &Node) -> Result<(), SceneEr
     Ok(())
 }
 
-/// The camera sees something at all its keys, and in each whole frame between them: whoever flies
-/// through what they look at is there in one frame.
+/// The camera sees something at all its keys, and in whole frames between them: whoever flies
+/// through what they look at is there in one frame. A change may come in each line of a recording,
+/// so there is an end to looking.
 fn camera(tracks: &[Track], now: &mut Scene, root: &Node) -> Result<(), SceneError> {
     let tracks = those(tracks, &["target", "up", "position"]);
     let Some((first, last)) = span(&tracks) else {
         return Ok(());
     };
     let open = f64::from(now.image.shutter);
-    let frames = (first.floor() as i32..=last.ceil() as i32)
+    let frames = first.floor() as i32..=last.ceil() as i32;
+    let apart = frames.clone().count().div_ceil(MOST_FRAMES);
+    let frames = frames
+        .step_by(apart.max(1))
         .map(f64::from)
         .flat_map(|frame| [frame, frame + open]);
     let keys = moments(&tracks);

@@ -66,6 +66,11 @@ impl Finished {
         finished
     }
 
+    /// Whether there is a run to go on with.
+    pub(in crate::cli::render) fn is_resumed(&self) -> bool {
+        !self.tokens.is_empty()
+    }
+
     /// How many frames are finished.
     pub(in crate::cli::render) fn count(&self) -> usize {
         self.frames.len()

@@ -17,7 +17,8 @@ use std::path::{Path, PathBuf};
 
 use crate::cli::CliError;
 use crate::output::{
-    AtomicFile, OutputError, OutputTarget, Rgba8Image, hidden_prefix, read_png, token, write_png,
+    AtomicFile, OutputError, OutputTarget, Rgba8Image, hidden_prefix, is_special, read_png, token,
+    write_png,
 };
 use crate::simulation::Snapshot;
 use finished::files_as_they_are;
@@ -28,6 +29,10 @@ const FIRST_LINE: &str = "motes journal 2";
 
 /// What a journal is called in its folder.
 const NAME: &str = "journal";
+
+/// Letters of an output's name that its journal is called by; of longer ones, the first few.
+const MOST_LETTERS: usize = 48;
+const SHOWN_LETTERS: usize = 24;
 
 /// A journal being kept.
 pub(super) struct Journal {
@@ -49,9 +54,16 @@ struct Leftovers {
 pub(super) fn place(target: &OutputTarget, frames: &Range<u32>) -> Option<PathBuf> {
     let (folder, name) = target.folder_and_name();
     let path = folder.join(&name);
-    let is_special = fs::metadata(path).is_ok_and(|it| !it.is_file() && !it.is_dir());
     let Range { start, end } = frames;
-    (!is_special).then(|| folder.join(format!(".{name}.{start}-{end}.resume")))
+    // Names that are as long as they may be leave no room for more.
+    let name = match name.chars().nth(MOST_LETTERS) {
+        None => name,
+        Some(_) => {
+            let begin: String = name.chars().take(SHOWN_LETTERS).collect();
+            format!("{begin}-{:016x}", digest_of(name.as_bytes()))
+        }
+    };
+    (!is_special(&path)).then(|| folder.join(format!(".{name}.{start}-{end}.resume")))
 }
 
 impl Journal {
@@ -85,7 +97,11 @@ impl Journal {
     }
 
     /// Begins a journal, in place of any that there is.
-    pub(super) fn begin(folder: &Path, identity: u64, outputs: &[&Path]) -> Result<Self, CliError> {
+    pub(super) fn begin(
+        folder: &Path,
+        identity: u64,
+        outputs: &[PathBuf],
+    ) -> Result<Self, CliError> {
         let (file, text) = Self::open(folder)?;
         let mut journal = Self {
             folder: folder.to_owned(),
@@ -110,7 +126,7 @@ impl Journal {
     pub(super) fn resume(
         folder: &Path,
         identity: u64,
-        outputs: &[&Path],
+        outputs: &[PathBuf],
     ) -> Result<Option<(Self, Finished)>, CliError> {
         if !folder.join(NAME).is_file() {
             return Ok(None);
@@ -239,9 +255,9 @@ impl Drop for Journal {
 impl Leftovers {
     /// Those of the processes that worked on the run before, all over now: who works on it holds the
     /// journal's lock.
-    fn of(finished: &Finished, outputs: &[&Path], journal: &Path) -> Self {
+    fn of(finished: &Finished, outputs: &[PathBuf], journal: &Path) -> Self {
         let tokens = finished.tokens.iter().copied();
-        let folders = outputs.iter().copied().chain([journal]);
+        let folders = outputs.iter().map(PathBuf::as_path).chain([journal]);
         Self {
             prefixes: tokens.map(hidden_prefix).collect(),
             folders: folders.map(Path::to_owned).collect(),
