@@ -135,19 +135,19 @@ fn is_path(name_or_path: &str) -> bool {
 }
 
 fn unknown(name: &str) -> SceneError {
-    if Path::new(name).is_dir() {
-        return SceneError::general(
-            format!("`{}` is a folder, and a scene is a file", shortened(name)),
-            None,
-            "a path to a scene's TOML file; `motes scenes` lists the built-in scenes",
-        );
-    }
     let file = format!("{name}.toml");
     if Path::new(&file).is_file() {
         return SceneError::general(
             format!("there is no built-in scene `{}`", shortened(name)),
             None,
             format!("did you mean {}, which is a file here?", shortened(&file)),
+        );
+    }
+    if Path::new(name).is_dir() {
+        return SceneError::general(
+            format!("`{}` is a folder, and a scene is a file", shortened(name)),
+            None,
+            "a path to a scene's TOML file; `motes scenes` lists the built-in scenes",
         );
     }
     let names = || BUILTIN.iter().map(|scene| scene.name);

@@ -141,11 +141,15 @@ fn wrong_names_are_answered_with_those_that_there_are() {
             &["render", "firework"],
             &["`firework`", "did you mean fireworks"],
         ),
-        Row::new(&["render", "."], &["no scene `.`", "ends in .toml"]),
+        Row::new(&["render", "."], &["`.` is a folder", "TOML file"]),
         Row::new(&["render", "-"], &["no scene `-`", "ends in .toml"]),
         Row::new(&["render", ""], &["no scene", "ends in .toml"]),
-        Row::new(&["render", "./"], &["./", "directory", "TOML file"]),
-        Row::new(&["render", "d.toml"], &["d.toml", "directory", "TOML file"]).file("d.toml/", ""),
+        Row::new(&["render", "./"], &["./", "is a folder", "TOML file"]),
+        Row::new(
+            &["render", "d.toml"],
+            &["d.toml", "is a folder", "TOML file"],
+        )
+        .file("d.toml/", ""),
         Row::new(
             &["render", "none/x.toml"],
             &["none/x.toml", "No such file", "motes scenes"],
