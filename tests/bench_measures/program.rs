@@ -10,7 +10,15 @@ use crate::SMALL;
 
 fn motes(folder: &Path, arguments: &[&str]) -> Command {
     std::fs::write(folder.join("small.toml"), SMALL).expect("a temporary folder");
-    let mut command = Command::new(env!("CARGO_BIN_EXE_motes"));
+    let program = env!("CARGO_BIN_EXE_motes");
+    let mut command = if cfg!(target_os = "linux") {
+        // Tests that run in the background may ignore signals, and so would what they start.
+        let mut command = Command::new("/usr/bin/env");
+        command.args(["--default-signal=INT", program]);
+        command
+    } else {
+        Command::new(program)
+    };
     command
         .arg("bench")
         .args(arguments)

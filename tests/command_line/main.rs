@@ -53,6 +53,17 @@ struct Workshop {
     folder: TempDir,
 }
 
+/// The program with every signal as it is by default: tests that run in the background may ignore
+/// some, and so would what they start.
+fn heedful(program: &str) -> Command {
+    if !cfg!(target_os = "linux") {
+        return Command::new(program);
+    }
+    let mut command = Command::new("/usr/bin/env");
+    command.args(["--default-signal=INT,HUP,TERM", program]);
+    command
+}
+
 impl Workshop {
     fn new() -> Self {
         let folder = tempfile::tempdir().expect("the machine has room for temporary files");
@@ -79,7 +90,7 @@ impl Workshop {
 
     /// The program, to be run in the folder, free of variables that would change its course.
     fn command(&self, arguments: &[&str]) -> Command {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_motes"));
+        let mut command = heedful(env!("CARGO_BIN_EXE_motes"));
         command.args(arguments).current_dir(self.folder.path());
         command
             .env_remove("MOTES_ADAPTER")
