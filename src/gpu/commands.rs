@@ -114,9 +114,8 @@ impl Work {
 /// The kernels that take turns with this one, itself included.
 pub(super) fn turning_with(kernel: &KernelUse) -> Vec<&'static KernelUse> {
     let turns = kernel.work.turns();
-    let is_one = |other: &&KernelUse| {
-        other.kernel == kernel.kernel || (turns.is_some() && other.work.turns() == turns)
-    };
+    let is_one =
+        |other: &&KernelUse| *other == kernel || (turns.is_some() && other.work.turns() == turns);
     let all = STAGE_KERNELS.iter();
     all.filter(|other| other.stage == kernel.stage)
         .filter(is_one)
@@ -422,6 +421,8 @@ const DIGEST_RUN: u32 = 64;
 #[derive(Debug)]
 pub(super) struct Command {
     pub(super) kernel: &'static str,
+    /// What it is a part of, where it is of a stage: a kernel may have several uses in one.
+    of: Option<KernelUse>,
     group: wgpu::BindGroup,
     /// The source and the target page, where it works page by page.
     pub(super) pages: [usize; 2],
@@ -439,6 +440,11 @@ pub(super) enum Size {
 }
 
 impl Command {
+    /// Whether it is part of such a use.
+    pub(super) fn is_of(&self, wanted: impl Fn(&KernelUse) -> bool) -> bool {
+        self.of.as_ref().is_some_and(wanted)
+    }
+
     pub(super) fn encode(
         &self,
         pass: &mut wgpu::ComputePass,
@@ -528,7 +534,10 @@ impl GpuBackend {
                 swaps,
             };
             let command = self.command(kernel, &pages, immediates, size)?;
-            commands.push(command);
+            commands.push(Command {
+                of: Some(*kernel_use),
+                ..command
+            });
             Ok::<(), BackendError>(())
         };
         let direct = |invocations: u32| {
@@ -668,6 +677,7 @@ impl GpuBackend {
             });
         Ok(Command {
             kernel: kernel_name,
+            of: None,
             group,
             pages: pages.at,
             swaps: pages.swaps,

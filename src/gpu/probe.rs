@@ -146,10 +146,8 @@ impl GpuBackend {
     ) -> Result<(), BackendError> {
         self.stepped(|run| {
             let together = turning_with(kernel);
-            let is_last = together
-                .last()
-                .is_some_and(|last| last.kernel == kernel.kernel);
-            let wanted = |other: &str| is_last && together.iter().any(|one| one.kernel == other);
+            let is_last = together.last().is_some_and(|last| *last == kernel);
+            let wanted = |other: &KernelUse| is_last && together.contains(&other);
             run.submit_kernels(&[kernel.stage], wanted, inputs)?;
             run.gpu.wait()
         })

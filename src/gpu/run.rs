@@ -1,6 +1,6 @@
 //! A frame's dispatches on their way to the device, a few frames ahead of it.
 
-use super::commands::Command;
+use super::commands::{Command, KernelUse};
 use super::timing::Timer;
 use super::{GpuBackend, readback};
 use crate::backend::BackendError;
@@ -68,12 +68,12 @@ impl GpuBackend {
         self.submit_kernels(stages, |_| true, inputs)
     }
 
-    /// Submits those of the stages' dispatches whose kernel is `wanted`; a stage is over with its
-    /// last kernel.
+    /// Submits those of the stages' dispatches whose use of a kernel is `wanted`; a stage is over with
+    /// its last kernel.
     pub(super) fn submit_kernels(
         &mut self,
         stages: &[Stage],
-        wanted: impl Fn(&str) -> bool,
+        wanted: impl Fn(&KernelUse) -> bool,
         inputs: &FrameInputs,
     ) -> Result<(), BackendError> {
         self.upload(inputs)?;
@@ -81,7 +81,7 @@ impl GpuBackend {
         let mut timed = self.timer.as_mut().map(Timer::frame);
         for &stage in stages.iter().filter(|stage| stage.is_due(inputs)) {
             let all = &self.commands[self.current][&stage];
-            let begins = all.first().is_some_and(|first| wanted(first.kernel));
+            let begins = all.first().is_some_and(|first| first.is_of(&wanted));
             if begins {
                 let begin = |encoder: &mut _| self.memory.begin(stage, encoder);
                 match &mut timed {
@@ -92,7 +92,7 @@ impl GpuBackend {
                 }
             }
             let dispatches = self.memory.named("dispatches")?;
-            let commands = all.iter().filter(|command| wanted(command.kernel));
+            let commands = all.iter().filter(|command| command.is_of(&wanted));
             match &mut timed {
                 None => {
                     let mut pass = encoder.begin_compute_pass(&Default::default());
@@ -111,7 +111,7 @@ impl GpuBackend {
                     }
                 }
             }
-            if all.last().is_some_and(|last| !wanted(last.kernel)) {
+            if all.last().is_some_and(|last| !last.is_of(&wanted)) {
                 continue;
             }
             match stage {

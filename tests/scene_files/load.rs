@@ -53,12 +53,10 @@ fn a_path_ends_in_toml_or_has_a_slash() {
     assert_eq!(named("other"), Ok("other".to_owned()));
     // A name is a part of output paths, so it must not be able to climb.
     assert_eq!(named("...toml"), Ok("scene".to_owned()));
-    for missing in [
-        "nowhere.toml",
-        "./nowhere",
-        &path("nowhere.toml"),
-        &path(""),
-    ] {
+    let folder = load(&path("")).expect_err("it is a folder");
+    assert!(folder.message().contains("folder"), "{folder}");
+    assert_eq!(folder.file(), Some(path("").as_str()));
+    for missing in ["nowhere.toml", "./nowhere", &path("nowhere.toml")] {
         let error = load(missing).expect_err(missing);
         assert!(error.message().contains("cannot be read"), "{error}");
         assert_eq!(error.file(), Some(missing));

@@ -160,7 +160,7 @@ fn a_scene_that_is_written_again_is_read_again_and_a_wrong_one_changes_nothing()
     let (frame, before) = (session.frame(), digest(&mut session));
     std::fs::write(&file, SCENE.replace("= 30", "= thirty")).expect("it is written");
     let told = session.reload().expect_err("it is no scene");
-    assert!(told.contains("jet.toml:9:"), "{told}");
+    assert!(told.contains("jet.toml:11:22"), "{told}");
     assert_eq!((session.frame(), digest(&mut session)), (frame, before));
     std::fs::write(&file, SCENE.replace("= 30", "= 60")).expect("it is written");
     session.reload().expect("it is a scene");
