@@ -75,10 +75,7 @@ impl Session {
     pub fn new(mut source: Source) -> Result<Self, Told> {
         source.make_room()?;
         let scene = source.load(&[])?;
-        let knobs = source
-            .loader
-            .knobs(&source.scene)
-            .map_err(|e| e.to_string())?;
+        let knobs = source.knobs()?;
         let recording = Recording::default();
         let simulation = source.begin(&scene, &recording, 0)?;
         let mut session = Self {
@@ -95,13 +92,13 @@ impl Session {
             knobs,
             recording,
         };
-        session.apply_sets();
+        session.note_sets(&[]);
         Ok(session)
     }
 
-    /// Shows what `--set` has changed.
-    fn apply_sets(&mut self) {
-        let sets = self.source.sets.clone();
+    /// Shows what `--set` has changed, and then these changes.
+    fn note_sets(&mut self, changes: &[String]) {
+        let sets = [self.source.sets.as_slice(), changes].concat();
         for (path, value) in sets.iter().filter_map(|set| set.split_once('=')) {
             self.note_value(path, KnobValue::Written(value.to_owned()));
         }
@@ -268,47 +265,20 @@ impl Session {
     /// # Errors
     /// The machine.
     pub fn restart(&mut self, frame: u32) -> Result<(), Told> {
-        self.recording
-            .changes
-            .retain(|change| change.frame <= frame);
-        let scene = self.source.load(&[])?;
-        self.simulation = self.source.begin(&scene, &self.recording, frame)?;
-        let sets: Vec<String> = self
-            .recording
-            .changes
-            .iter()
-            .map(|it| it.set.clone())
-            .collect();
-        self.scene = self.source.load(&sets)?;
+        let mut recording = self.recording.clone();
+        recording.changes.retain(|change| change.frame <= frame);
+        self.begin_again(recording, frame)?;
         self.undone.clear();
-        self.knobs = self
-            .source
-            .loader
-            .knobs(&self.source.scene)
-            .map_err(|e| e.to_string())?;
-        self.apply_sets();
-        for (path, value) in sets.iter().filter_map(|set| set.split_once('=')) {
-            self.note_value(path, KnobValue::Written(value.to_owned()));
-        }
         Ok(())
     }
 
-    /// Begins again with other random decisions; what has been done is kept.
+    /// Begins again with other random decisions, and without what has been done after frame 0.
     ///
     /// # Errors
     /// The machine.
     pub fn reseed(&mut self, seed: u64) -> Result<(), Told> {
         self.source.sets.push(format!("seed={seed}"));
-        let kept = self.recording.clone();
-        self.restart(0)?;
-        self.recording = Recording {
-            changes: kept
-                .changes
-                .into_iter()
-                .filter(|change| change.frame == 0)
-                .collect(),
-        };
-        Ok(())
+        self.restart(0)
     }
 
     /// Reads the scene's file again, and begins anew at the same frame. What is wrong with it leaves
@@ -317,23 +287,31 @@ impl Session {
     /// # Errors
     /// The scene.
     pub fn reload(&mut self) -> Result<(), Told> {
-        let frame = self.frame();
-        let scene = self.source.load(&[])?;
-        let knobs = self
-            .source
-            .loader
-            .knobs(&self.source.scene)
-            .map_err(|e| e.to_string())?;
-        let turns =
-            self.recording
-                .turns_with(self.source.loader, &self.source.scene, &self.source.sets);
-        if turns.is_err() {
+        let Source {
+            loader,
+            scene,
+            sets,
+            ..
+        } = &self.source;
+        self.source.load(&[])?;
+        let recording = match self.recording.turns_with(*loader, scene, sets) {
+            Ok(_) => self.recording.clone(),
             // The keys that were turned are not what they were.
-            self.recording = Recording::default();
-        }
-        self.simulation = self.source.begin(&scene, &self.recording, frame)?;
-        (self.scene, self.knobs) = (scene, knobs);
-        self.apply_sets();
+            Err(_) => Recording::default(),
+        };
+        self.begin_again(recording, self.frame())
+    }
+
+    /// Begins the scene as its file is now, with what the recording says, and goes to a frame; an
+    /// error leaves all as it was.
+    fn begin_again(&mut self, recording: Recording, frame: u32) -> Result<(), Told> {
+        let sets = recording.changes.iter().map(|change| change.set.clone());
+        let sets: Vec<String> = sets.collect();
+        let (begun, scene) = (self.source.load(&[])?, self.source.load(&sets)?);
+        let knobs = self.source.knobs()?;
+        self.simulation = self.source.begin(&begun, &recording, frame)?;
+        (self.scene, self.knobs, self.recording) = (scene, knobs, recording);
+        self.note_sets(&sets);
         Ok(())
     }
 
@@ -410,6 +388,11 @@ impl Source {
         let sets = [self.sets.clone(), sets.to_vec()].concat();
         let scene = self.loader.load_with(&self.scene, &sets);
         scene.map_err(|error| error.to_string())
+    }
+
+    fn knobs(&self) -> Result<Vec<Knob>, Told> {
+        let knobs = self.loader.knobs(&self.scene);
+        knobs.map_err(|error| error.to_string())
     }
 
     /// The run at `frame`.
