@@ -87,15 +87,20 @@ pub fn adapters() -> Vec<AdapterDescription> {
 /// # Errors
 /// The driver refuses to open the device.
 pub fn open(name: &str) -> Result<Option<GpuDevice>, BackendError> {
+    let found = named(&instance(), name).next();
+    found.map(|adapter| open_adapter(&adapter)).transpose()
+}
+
+/// Adapters that can run kernels whose name or driver contains `name`, whatever the case, best first.
+pub(crate) fn named(instance: &wgpu::Instance, name: &str) -> impl Iterator<Item = wgpu::Adapter> {
     // The driver is called lavapipe, and names its adapter after the older half of it.
     let wanted = name.to_lowercase().replace("lavapipe", "llvmpipe");
-    let found = usable(&instance()).into_iter().find(|adapter| {
+    usable(instance).into_iter().filter(move |adapter| {
         let info = adapter.get_info();
         format!("{} {}", info.name, info.driver)
             .to_lowercase()
             .contains(&wanted)
-    });
-    found.map(|adapter| open_adapter(&adapter)).transpose()
+    })
 }
 
 fn open_adapter(adapter: &wgpu::Adapter) -> Result<GpuDevice, BackendError> {

@@ -48,6 +48,8 @@ use shader::sources::WIDE_KERNELS;
 use tiling::Tiling;
 use timing::Timer;
 
+#[cfg(feature = "view")]
+pub(crate) use adapter::named;
 pub use adapter::{AdapterDescription, adapters, open};
 pub use commands::{GLOW_RUN, KernelUse, STAGE_KERNELS, stages_of};
 pub use device::GpuDevice;

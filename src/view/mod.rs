@@ -20,10 +20,10 @@ pub use session::{Session, Source, Told};
 pub use window::{WindowError, open};
 
 use crate::gpu;
+use crate::simulation::AdapterChoice;
 
-/// The first adapter whose name or driver contains `name`, whatever the case (any but other
-/// processors' first for `auto`), and that will do; with a device that has what kernels need, and a
-/// clock if the adapter has one.
+/// The best adapter whose name or driver contains `name`, whatever the case (any for `auto`), and that
+/// will do; with a device that has what kernels need, and a clock if the adapter has one.
 ///
 /// # Errors
 /// There is none, or it does not open.
@@ -32,19 +32,11 @@ pub fn device_of(
     name: &str,
     will_do: impl Fn(&wgpu::Adapter) -> bool,
 ) -> Result<(wgpu::Adapter, wgpu::Device, wgpu::Queue), Told> {
-    let wanted = name
-        .to_lowercase()
-        .replace("lavapipe", "llvmpipe")
-        .replace("auto", "");
-    let mut all = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::PRIMARY));
-    let is_software =
-        |adapter: &wgpu::Adapter| adapter.get_info().device_type == wgpu::DeviceType::Cpu;
-    all.sort_by_key(is_software);
-    let found = all.into_iter().find(|adapter| {
-        let info = adapter.get_info();
-        let named = format!("{} {}", info.name, info.driver).to_lowercase();
-        named.contains(&wanted) && will_do(adapter)
-    });
+    let wanted = match AdapterChoice::parse(name) {
+        AdapterChoice::Auto => "",
+        _ => name,
+    };
+    let found = gpu::named(instance, wanted).find(|adapter| will_do(adapter));
     let adapter = found.ok_or_else(|| format!("there is no adapter `{name}`"))?;
     let mut descriptor = gpu::device_descriptor(&adapter);
     descriptor.required_features |= adapter.features() & wgpu::Features::TIMESTAMP_QUERY;
