@@ -9,8 +9,8 @@ use super::system::{Moments, bounds_of, system_frame, system_row};
 use super::tree::{bears_systems, broods, pose_of, row_spread};
 use super::wind::winds_of;
 use crate::layout::{
-    AgeLook, Bound, Brood, FireFrame, FlockFrame, Frame, Lamp, ListedFlame, Planet, Pose, Relation,
-    SYSTEM_BEARS_SYSTEMS, SystemFrame, SystemRow, Wind,
+    AgeLook, Bound, Brood, FireFrame, FlockFrame, Frame, Lamp, ListedFlame, Obstacle, Planet, Pose,
+    Relation, SYSTEM_BEARS_SYSTEMS, SystemFrame, SystemRow, Wind,
 };
 use crate::scene::Scene;
 
@@ -44,6 +44,8 @@ pub struct FrameInputs {
     pub flocks: Vec<FlockFrame>,
     /// What flocks make of each other, flock by flock.
     pub relations: Vec<Relation>,
+    /// What their boids are kept from, flock by flock; at most [`Plan::MOST_OBSTACLES`].
+    pub obstacles: Vec<Obstacle>,
     /// One a fire.
     pub fires: Vec<FireFrame>,
     /// The flames that are told one by one, fire by fire.
@@ -97,7 +99,7 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
     };
     let winds = winds_of(&now, number);
     let layer_planes = layer_planes(&now);
-    let (flocks, relations) = flocks_of(&now, &earlier);
+    let (flocks, relations, obstacles) = flocks_of(&now, &earlier);
     let (planets, lamps) = planet_of(&now);
     let (fires, listed_flames, age_looks) = fires_of(&now, &earlier, &plan.meshes, number);
     let frame = Frame {
@@ -123,6 +125,7 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
         lamps,
         flocks,
         relations,
+        obstacles,
         fires,
         listed_flames,
         age_looks,

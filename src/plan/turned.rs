@@ -20,6 +20,8 @@ impl Plan {
             covers: self.uses.covers,
             planet: self.uses.planet,
             triangles: self.uses.triangles,
+            cones: self.uses.cones,
+            mirrors: self.uses.mirrors,
             ..Uses::all()
         };
         let rows = (self.lifetime_bound.saturating_add(1)).saturating_mul(2);

@@ -81,6 +81,7 @@ static EXPLAINED: &[Explanation] = &[
     ("flock/cell_members", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: more than there are boids"),
     ("flock/cells", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: more than there are boids"),
     ("flock/steer", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: more than there are boids"),
+    ("draw/boid_trails", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: more than there are boids"),
     ("draw/boid_shapes", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: more than there are boids"),
     ("flock/sum_cells", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: more than there are runs of cells"),
     ("flock/spread_cells", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: more than there are runs of cells"),
