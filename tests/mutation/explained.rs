@@ -183,7 +183,7 @@ static EXPLAINED: &[Explanation] = &[
     ("probe/covers", "triangle_area: Bool(true) -> Bool(false)", "only the short cut of a triangle beside the pixel is lost"),
     ("probe/covers", "triangle_area: ? = Bool(true) -> omitted", "only the short cut of a triangle beside the pixel is lost"),
     ("probe/covers", "triangle_area: 0.0f -> -1.0f", "only a part of the short cut of a triangle beside the pixel is lost"),
-    ("probe/covers", "bounds_of: -1048576.0f -> *", "shapes that far are far from every picture"),
+    ("probe/covers", "bounds_here: -1048576.0f -> *", "shapes that far are far from every picture"),
     ("probe/covers", "const FARTHEST: *", "shapes that far are far from every picture"),
     ("draw/cover_keys", "cover_keys: (at >= sort_count.0) -> Greater", "a pair beyond the last, which is not sorted"),
     ("draw/cover_keys", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: more than are bound"),
