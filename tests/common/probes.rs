@@ -237,6 +237,8 @@ pub(crate) static PROBES: &[ProbeKernel] = &[
         ("record(5u, w, i, 5u)", |r| record(r, 5, 5)),
         ("record(5u, w, i, 11u)", |r| record(r, 5, 11)),
         ("bounds(5u, w, i)", |r| bounds(r, 5)),
+        ("sides(0u, w, i)", |r| sides(r, 0)),
+        ("sides(4u, w, i)", |r| sides(r, 4)),
         ("bits(over(5u, c, w, i)[0])", |r| bits(over(r, 5)[0])),
         ("bits(over(5u, c, w, i)[2])", |r| bits(over(r, 5)[2])),
         ("bits(over(5u, c, w, i)[3])", |r| bits(over(r, 5)[3])),

@@ -47,8 +47,12 @@ fn record(kind: u32, w: u32, i: u32, word: u32) -> u32 {
     var vectors = array<vec4<u32>, 4>(it.points, it.shape, it.color, it.lit);
     return vectors[word / 4u][word % 4u];
 }
-fn bounds(kind: u32, w: u32, i: u32) -> u32 {
+fn sides(kind: u32, w: u32, i: u32) -> u32 {
     let it = bounds_of(sided(kind, w, i), 13u, 9u);
+    return u32(it.x + it.y * 100 + it.z * 10000 + it.w * 1000000);
+}
+fn bounds(kind: u32, w: u32, i: u32) -> u32 {
+    let it = bounds_of(some(kind, w, i), 13u, 9u);
     return u32(it.x + it.y * 100 + it.z * 10000 + it.w * 1000000);
 }
 fn over(kind: u32, c: f32, w: u32, i: u32) -> vec4<f32> {
@@ -113,8 +117,13 @@ pub(super) fn record(r: &Arguments, kind: u32, word: usize) -> u32 {
     bytemuck::cast::<Cover, [u32; 16]>(some(r, kind))[word]
 }
 
-pub(super) fn bounds(r: &Arguments, kind: u32) -> u32 {
+pub(super) fn sides(r: &Arguments, kind: u32) -> u32 {
     let [left, top, right, bottom] = bounds_of(&sided(r, kind), 13, 9);
+    (left + top * 100 + right * 10_000 + bottom * 1_000_000).cast_unsigned()
+}
+
+pub(super) fn bounds(r: &Arguments, kind: u32) -> u32 {
+    let [left, top, right, bottom] = bounds_of(&some(r, kind), 13, 9);
     (left + top * 100 + right * 10_000 + bottom * 1_000_000).cast_unsigned()
 }
 
