@@ -101,6 +101,8 @@ pub struct Living<'a> {
     pub particles: &'a [u32],
     /// Words of [`crate::layout::Boid`].
     pub boids: &'a [u32],
+    /// Words of the places of boids' trails, as the buffer `boid_trails` has them.
+    pub trails: &'a [u32],
 }
 
 /// A plan under way on some processor. Pools start empty. It may move to another thread.

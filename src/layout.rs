@@ -154,6 +154,14 @@ shared_constants! {
     pub const COVER_SEGMENT: u32 = 4;
     /// A triangle.
     pub const COVER_TRIANGLE: u32 = 5;
+    /// A cone with a round base.
+    pub const COVER_CONE: u32 = 6;
+    /// [`Cover::lit`]`[3]`: it is drawn where it is.
+    pub const COVER_PLAIN: u32 = 0;
+    /// It is drawn at the other side of the picture, mirrored.
+    pub const COVER_MIRRORED: u32 = 1;
+    /// It is drawn at both sides at once, which overlap.
+    pub const COVER_TWIN: u32 = 2;
     /// [`SystemFrame::flags`]: births are floor(x + u) with u uniform, else floor(x + 1/2).
     pub const SYSTEM_STOCHASTIC: u32 = 1;
     /// Births are counted for each pixel of the screen area.
@@ -247,16 +255,19 @@ pub struct SystemFrame {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 pub struct Cover {
-    /// x and y in pixels of two points: a triangle's first two corners, a segment's ends; a disc's or
-    /// square's centre, then for shading the reciprocal of a disc's radius.
+    /// x and y in pixels of two points: a triangle's first two corners, a segment's ends, the centre of
+    /// a cone's base and its apex; a disc's or square's centre, then for shading the reciprocal of a
+    /// disc's radius.
     pub points: [u32; 4],
     /// A triangle's third corner. Of a disc or segment, how far it reaches from its centre or axis,
-    /// pixels, and the reciprocal of its edge's width; of a square, half its width. Then what it is
+    /// pixels, and the reciprocal of its edge's width; of a square, half its width; of a cone, how far
+    /// its base reaches, and how much its axis points to the viewer, -1 to 1. Then what it is
     /// (`COVER_` constants), and its depth along the view axis.
     pub shape: [u32; 4],
     /// Colour in red, green, blue, before exposure; alpha, 0 to 1.
     pub color: [u32; 4],
-    /// What the light adds to the colour of a sphere where it falls straight; w unused.
+    /// What the light adds to the colour of a sphere where it falls straight; on which side of the
+    /// picture it is drawn (`COVER_PLAIN` and what follows it).
     pub lit: [u32; 4],
 }
 

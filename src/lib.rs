@@ -40,13 +40,15 @@
 //! 4. *advance*: survivors sample the wind, move, and take their compacted places in the other
 //!    pool.
 //! 5. *hatch*, once: boids where their flocks begin; they never die. *cells*: a copy of them,
-//!    sorted by grid cell, stably. *steer*: each looks at those in the cells around it, steers and
-//!    moves; sums over them are integers.
+//!    sorted by grid cell, stably. *steer*: each looks at those in the cells around it, steers, seeks
+//!    its goal, turns away from obstacles, drifts with the wind and moves; sums over others are
+//!    integers. Where it has been is kept for as long as its trail is.
 //! 6. *kindle*: the roots of flames, by hash of who each is, moved with their fires. *trace*: the way
 //!    of each flame's particle through this frame's wind, 25 steps; flames have no past.
 //!    *gather*, where there is a surface: a few point lights that stand for them. *ground*: a plane
 //!    behind everything, and pillars on it, in that light.
-//! 7. *shapes*: what covers what is behind it, one record a particle or boid ([`layout::Cover`]).
+//! 7. *shapes*: what covers what is behind it, one record a particle, a boid or a segment of its trail
+//!    ([`layout::Cover`]).
 //! 8. *cover*: the records are sorted by depth, stably, and each pixel gathers those that cover it,
 //!    from near to far; by tiles, in rounds, so that no tile has too many.
 //! 9. *planet*: a ball with a surface in every pixel, and on it what shows of the light of particles

@@ -9,8 +9,8 @@ use motes::gpu::shader::{self, Access, CompileOptions, CompiledKernel};
 use motes::gpu::{STAGE_KERNELS, check_binding};
 use motes::layout::{
     self, AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, FireFrame, Flame, FlameDisc,
-    FlameLight, FlockFrame, Frame, FrameStats, Ground, Lamp, ListedFlame, Node, Particle, Pillar,
-    Planet, Pose, Relation, SystemFrame, SystemRow, Wind,
+    FlameLight, FlockFrame, Frame, FrameStats, Ground, Lamp, ListedFlame, Node, Obstacle, Particle,
+    Pillar, Planet, Pose, Relation, SystemFrame, SystemRow, Wind,
 };
 use motes::plan::{BUFFERS, BufferRole, STAGES, Uses, buffer};
 
@@ -229,9 +229,13 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             cells_per_unit,
             cell_extent,
             color,
+            goal,
+            goal_rule,
             grid,
             members,
             ties,
+            trail,
+            trail_look,
             drawn,
         }),
         rust_layout!(Flame {
@@ -277,6 +281,13 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             separation,
             alignment,
             cohesion,
+            sight,
+        }),
+        rust_layout!(Obstacle {
+            kinds,
+            place,
+            extent,
+            push,
         }),
     ]
 }
@@ -354,6 +365,7 @@ fn constants_agree_bit_for_bit() {
         motes::noise::CONSTANTS,
         motes::cpu::cover::CONSTANTS,
         motes::cpu::draw::shapes::CONSTANTS,
+        motes::cpu::draw::boid_shapes::CONSTANTS,
         motes::gpu::sort::CONSTANTS,
         layout::CONSTANTS,
         layout::flock::CONSTANTS,

@@ -163,7 +163,7 @@ impl Lane {
         } else {
             Vec::new()
         };
-        let count = |word: u32| counted.get(word as usize).copied().unwrap_or(0).into();
+        let count = |word: u32| u64::from(counted.get(word as usize).copied().unwrap_or(0));
         let families = counted.iter().skip(COVERS_OF_PARTICLES as usize);
         let covers = families.map(|count| u64::from(*count)).sum();
         Ok(Load {
@@ -179,7 +179,8 @@ impl Lane {
             flames: plan.flame_count.into(),
             cells: plan.cell_count.into(),
             covers,
-            boid_covers: count(COVERS_OF_BOIDS),
+            boid_covers: count(COVERS_OF_BOIDS).saturating_sub(plan.trail_segments()),
+            trail_segments: plan.trail_segments(),
             seen_covers: count(COVERS_SEEN),
             uses: plan.uses,
         })

@@ -65,7 +65,7 @@ const FLAME: Fields = &[
     ("burns", false),
 ];
 
-const FLAME_STEP: Fields = &[
+const PLACE: Fields = &[
     ("position.x", true),
     ("position.y", true),
     ("position.z", true),
@@ -167,7 +167,7 @@ const COVER: Fields = &[
     ("lit.red", true),
     ("lit.green", true),
     ("lit.blue", true),
-    ("lit.w", false),
+    ("side", false),
 ];
 
 const RED_GREEN: Fields = &[("red", true), ("green", true)];
@@ -209,7 +209,7 @@ fn fields(name: &str) -> Fields {
         _ if name == "cover_bt" => BLUE_CLEAR,
         ("Flame", _) => FLAME,
         ("FlameDisc", _) => FLAME_DISC,
-        _ if name == "flame_steps" => FLAME_STEP,
+        _ if ["flame_steps", "boid_trails"].contains(&name) => PLACE,
         _ if name == "flame_bounds" => FLAME_BOUNDS,
         ("Particle", _) => PARTICLE,
         ("Node", _) => NODE,

@@ -5,11 +5,12 @@ use glam::Vec3;
 
 use crate::cpu::reach::{center_of, overlap};
 use crate::exact::{
-    clamp_exact, f32_of_i32, less, max_exact, min_exact, reciprocal, shared_constants, snap, snap3,
-    square_root, to_i32,
+    clamp_exact, dot3, f32_of_i32, inverse_square_root, less, max_exact, min_exact, reciprocal,
+    shared_constants, snap, snap3, square_root, to_i32,
 };
 use crate::layout::{
-    COVER_NONE, COVER_SEGMENT, COVER_SOFT_DISC, COVER_SQUARE, COVER_TRIANGLE, Cover,
+    COVER_CONE, COVER_MIRRORED, COVER_NONE, COVER_SEGMENT, COVER_SOFT_DISC, COVER_SQUARE,
+    COVER_TRIANGLE, COVER_TWIN, Cover,
 };
 
 shared_constants! {
@@ -23,6 +24,12 @@ shared_constants! {
     const FARTHEST: f32 = 1_048_576.0;
     /// A distance is wrong by less than this part of the largest number that it is made of.
     const ROUNDING: f32 = 0.000_003_814_697_3;
+    /// Sine of the angle between a cone's axis and its side, as boids have it.
+    const SINE_OF_CONE: f32 = 0.25;
+    /// What it says of its cosine.
+    const INVERSE_SQUARED_COSINE: f32 = 1.066_666_7;
+    /// A cone ends here, in parts of its length.
+    const NEXT_TO_APEX: f32 = 0.98;
 }
 
 /// A pixel on the way from near to far: light that is seen, and how much of the rest shows through.
@@ -64,13 +71,13 @@ pub fn far_to_near(cover: &Cover) -> u32 {
     }
 }
 
-/// First pixel and one past the last, across and down, that it may cover in a picture of that size.
-/// Distances that are rounded may fall short, by less than the margin.
+/// First pixel and one past the last, across and down, that its shape may cover where it is, in a
+/// picture of that size. Distances that are rounded may fall short, by less than the margin.
 #[inline]
-pub fn bounds_of(cover: &Cover, width: u32, height: u32) -> [i32; 4] {
+pub fn bounds_here(cover: &Cover, width: u32, height: u32) -> [i32; 4] {
     let [ax, ay, bx, by] = cover.points.map(f32::from_bits);
     let [u, v] = [cover.shape[0], cover.shape[1]].map(f32::from_bits);
-    let is_segment = cover.shape[2] == COVER_SEGMENT;
+    let is_segment = [COVER_SEGMENT, COVER_CONE].contains(&cover.shape[2]);
     let (end_x, end_y) = if is_segment { (bx, by) } else { (ax, ay) };
     let largest = max_exact(
         max_exact(ax.abs(), ay.abs()),
@@ -92,6 +99,24 @@ pub fn bounds_of(cover: &Cover, width: u32, height: u32) -> [i32; 4] {
         (pixel(high[0]) + 1).min(width as i32),
         (pixel(high[1]) + 1).min(height as i32),
     ]
+}
+
+/// The same wherever it is drawn.
+#[inline]
+pub fn bounds_of(cover: &Cover, width: u32, height: u32) -> [i32; 4] {
+    let [left, top, right, bottom] = bounds_here(cover, width, height);
+    let (across_left, across_right) = (width as i32 - right, width as i32 - left);
+    match cover.lit[3] {
+        COVER_MIRRORED => [across_left, top, across_right, bottom],
+        COVER_TWIN => [left.min(across_left), top, right.max(across_right), bottom],
+        _ => [left, top, right, bottom],
+    }
+}
+
+/// Whether what may cover so much of a picture of that width overlaps its mirror image.
+#[inline]
+pub fn straddles([left, _, right, _]: [i32; 4], width: u32) -> bool {
+    2 * left < width as i32 && 2 * right > width as i32
 }
 
 /// The mean of x clamped to 0 .. 1, along a line from `a` to `b`.
@@ -149,6 +174,106 @@ fn distance_from(x: f32, y: f32, [ax, ay, bx, by]: [f32; 4]) -> f32 {
     square_root(ex * ex + ey * ey)
 }
 
+/// A place as a cone has it, whose base has that radius: from its centre along its axis in the picture,
+/// and to the right of it; how long the axis is there; sine and cosine of the angle between it and
+/// the outline, 1 and 0 where nothing but the base is seen.
+struct InCone {
+    along: f32,
+    across: f32,
+    length: f32,
+    sine: f32,
+    cosine: f32,
+    /// The axis.
+    way: [f32; 2],
+}
+
+fn in_cone([base_x, base_y, apex_x, apex_y]: [f32; 4], radius: f32, x: f32, y: f32) -> InCone {
+    let axis = [apex_x - base_x, apex_y - base_y];
+    let squared = axis[0] * axis[0] + axis[1] * axis[1];
+    let inverse = inverse_square_root(squared);
+    // Straight from or to the viewer, any.
+    let way = if less(0.0, squared) {
+        axis.map(|part| part * inverse)
+    } else {
+        [1.0, 0.0]
+    };
+    let dx = x - base_x;
+    let dy = y - base_y;
+    let length = square_root(squared);
+    let sine = if less(radius, length) {
+        radius * reciprocal(length)
+    } else {
+        1.0
+    };
+    InCone {
+        along: dx * way[0] + dy * way[1],
+        across: dy * way[0] - dx * way[1],
+        length,
+        sine,
+        cosine: square_root(max_exact(1.0 - sine * sine, 0.0)),
+        way,
+    }
+}
+
+/// Whether the outline next to the place is that of the base.
+fn is_by_base(at: &InCone) -> bool {
+    !less(at.sine, 1.0) || less(at.cosine * at.along, at.sine * at.across.abs())
+}
+
+/// How far a place is outside a cone: of the hull of a disc and a point.
+fn distance_from_cone(points: [f32; 4], radius: f32, x: f32, y: f32) -> f32 {
+    let at = in_cone(points, radius, x, y);
+    let aside = at.across.abs();
+    if is_by_base(&at) {
+        return square_root(at.along * at.along + aside * aside) - radius;
+    }
+    if less(
+        at.cosine * at.length,
+        at.cosine * at.along - at.sine * aside,
+    ) {
+        let beyond = at.along - at.length;
+        return square_root(beyond * beyond + aside * aside);
+    }
+    at.cosine * aside + at.sine * at.along - radius
+}
+
+/// How straight the light falls on the cone that is seen in the pixel, 0 to 1. A cone is what balls
+/// fill that shrink to nothing on their way from the base to the apex; the one that is seen there
+/// touches its side, which tells it by the root of a square. Lengths are parts of the cone's.
+fn light_on_cone(cover: &Cover, light_from: Vec3, x: f32, y: f32) -> f32 {
+    let radius = f32::from_bits(cover.shape[0]) - 0.5;
+    let is_ahead = !less(f32::from_bits(cover.shape[1]), 0.0);
+    let at = in_cone(cover.points.map(f32::from_bits), radius, x, y);
+    let part_of_px = SINE_OF_CONE * reciprocal(radius);
+    let slant = min_exact(at.length * part_of_px, 1.0);
+    let along = at.along * part_of_px;
+    let across = at.across * part_of_px;
+    let e = SINE_OF_CONE * SINE_OF_CONE - slant * along;
+    let f = slant * slant - SINE_OF_CONE * SINE_OF_CONE;
+    let aside = SINE_OF_CONE * SINE_OF_CONE - across * across - along * along;
+    let k = ((1.0 - slant * slant) * aside - e * e) * INVERSE_SQUARED_COSINE;
+    let root = square_root(max_exact(e * e + f * k, 0.0));
+    let mut t = match (is_ahead, less(0.0, e), less(e, 0.0)) {
+        (true, true, _) => k * reciprocal(e + root),
+        (true, false, _) => (root - e) * reciprocal(f),
+        (false, _, true) => k * reciprocal(e - root),
+        (false, _, false) => 0.0,
+    };
+    // Beyond the apex; and on the base, which is a ball.
+    if less(NEXT_TO_APEX, t) {
+        t = if less(0.0, f) { NEXT_TO_APEX } else { 0.0 };
+    }
+    t = max_exact(t, 0.0);
+    let inverse = reciprocal(SINE_OF_CONE * (1.0 - t));
+    let ahead = (along - slant * t) * inverse;
+    let right = across * inverse;
+    let toward = square_root(max_exact(1.0 - ahead * ahead - right * right, 0.0));
+    // In the space of the light y goes up.
+    let [x, y] = at.way;
+    let normal = Vec3::new(x * ahead - y * right, -y * ahead - x * right, toward);
+    clamp_exact(dot3(normal, light_from), 0.0, 1.0)
+}
+
 /// How much of the pixel it covers, 0 to 1.
 #[inline]
 pub fn coverage_at(cover: &Cover, x: i32, y: i32) -> f32 {
@@ -165,6 +290,10 @@ pub fn coverage_at(cover: &Cover, x: i32, y: i32) -> f32 {
         let corner = [f32_of_i32(x), f32_of_i32(y)];
         let from_corner = |x: f32, y: f32| [x - corner[0], y - corner[1]];
         return triangle_area(from_corner(ax, ay), from_corner(bx, by), from_corner(u, v));
+    }
+    if kind == COVER_CONE {
+        let outside = distance_from_cone(points, u - 0.5, center_x, center_y);
+        return clamp_exact(0.5 - outside, 0.0, 1.0);
     }
     let distance = if kind == COVER_SEGMENT {
         distance_from(center_x, center_y, points)
@@ -197,19 +326,70 @@ fn light_on(cover: &Cover, light_from: Vec3, x: i32, y: i32) -> f32 {
     )
 }
 
+/// Where a pixel is, and how wide the picture.
+#[derive(Clone, Copy, Debug)]
+pub struct Spot {
+    /// Pixels from the left.
+    pub x: i32,
+    /// Pixels from the top.
+    pub y: i32,
+    /// Pixels.
+    pub width: i32,
+}
+
+/// How much of what is behind it hides in the pixel, 0 to 1, and how straight the light falls on it.
+struct Part {
+    alpha: f32,
+    light: f32,
+}
+
+#[inline]
+fn part_here(cover: &Cover, light_from: Vec3, x: i32, y: i32) -> Part {
+    let light = if cover.shape[2] == COVER_CONE {
+        light_on_cone(cover, light_from, f32_of_i32(x) + 0.5, f32_of_i32(y) + 0.5)
+    } else {
+        light_on(cover, light_from, x, y)
+    };
+    Part {
+        alpha: snap(f32::from_bits(cover.color[3]) * coverage_at(cover, x, y)),
+        light,
+    }
+}
+
+/// The same wherever it is drawn. Two that overlap are the same whichever is in front.
+#[inline]
+fn part_at(cover: &Cover, light_from: Vec3, spot: Spot) -> Part {
+    let across = spot.width - 1 - spot.x;
+    let x = if cover.lit[3] == COVER_MIRRORED {
+        across
+    } else {
+        spot.x
+    };
+    let own = part_here(cover, light_from, x, spot.y);
+    if cover.lit[3] != COVER_TWIN {
+        return own;
+    }
+    let other = part_here(cover, light_from, across, spot.y);
+    let sum = own.alpha + other.alpha;
+    Part {
+        alpha: snap(sum - own.alpha * other.alpha),
+        light: (own.alpha * own.light + other.alpha * other.light) * reciprocal(sum),
+    }
+}
+
 /// The pixel with `cover` behind what it has so far.
 #[inline]
-pub fn behind(above: Layered, cover: &Cover, light_from: Vec3, x: i32, y: i32) -> Layered {
-    let [red, green, blue, opacity] = cover.color.map(f32::from_bits);
+pub fn behind(above: Layered, cover: &Cover, light_from: Vec3, spot: Spot) -> Layered {
+    let [red, green, blue, _] = cover.color.map(f32::from_bits);
     let [lit_red, lit_green, lit_blue, _] = cover.lit.map(f32::from_bits);
     let color = Vec3::new(red, green, blue);
     let lit = Vec3::new(lit_red, lit_green, lit_blue);
-    let alpha = snap(opacity * coverage_at(cover, x, y));
+    let Part { alpha, light } = part_at(cover, light_from, spot);
     if above.is_closed() {
         return above;
     }
     let seen = above.clear * alpha;
-    let look = color + lit * light_on(cover, light_from, x, y);
+    let look = color + lit * light;
     let clear = above.clear * (1.0 - alpha);
     Layered {
         color: snap3(above.color + look * seen),

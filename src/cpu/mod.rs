@@ -27,6 +27,7 @@ pub(crate) mod sprite;
 pub mod steering;
 pub mod systems;
 pub mod tree;
+pub mod urge;
 pub mod wind;
 
 use std::sync::Arc;
@@ -421,6 +422,7 @@ impl Backend for CpuBackend {
             "alive_bits" => self.alive_bits.clone(),
             "deaths" => self.deaths.to_vec(),
             "boids" => try_copied(bytemuck::cast_slice(&self.flocks.boids), "the boids")?,
+            "boid_trails" => bytemuck::cast_slice(&self.flocks.trails).to_vec(),
             "boid_cells" => self.flocks.cells.clone(),
             "cell_starts" => self.flocks.starts.clone(),
             "sorted_boids" => try_copied(bytemuck::cast_slice(&self.flocks.sorted), "the boids")?,
@@ -456,6 +458,7 @@ impl Backend for CpuBackend {
     fn restore(&mut self, living: &Living<'_>, recent: &[FrameInputs]) -> Result<(), BackendError> {
         let particles = living.particles;
         bytemuck::cast_slice_mut(&mut self.flocks.boids).copy_from_slice(living.boids);
+        bytemuck::cast_slice_mut(&mut self.flocks.trails).copy_from_slice(living.trails);
         self.tree.clear();
         recent.iter().for_each(|inputs| self.keep_rows(inputs));
         let live = particles.len() * 4 / size_of::<Particle>();

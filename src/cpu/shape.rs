@@ -2,13 +2,15 @@
 
 use glam::{Vec2, Vec3, Vec4};
 
+use crate::cpu::cover::{bounds_here, straddles};
 use crate::cpu::footprint::LARGE_RADIUS_PX;
 use crate::cpu::reach::{PI, edged_radius};
 use crate::exact::{
     bits_of, clamp_exact, f32_of_i32, less, max_exact, min_exact, reciprocal, square_root, to_i32,
 };
 use crate::layout::{
-    COVER_DISC, COVER_SEGMENT, COVER_SOFT_DISC, COVER_SQUARE, COVER_TRIANGLE, Cover,
+    COVER_CONE, COVER_DISC, COVER_MIRRORED, COVER_NONE, COVER_SEGMENT, COVER_SOFT_DISC,
+    COVER_SQUARE, COVER_TRIANGLE, COVER_TWIN, Cover, Frame,
 };
 
 /// What a shape looks like.
@@ -95,4 +97,33 @@ pub fn segment_of(from: Vec2, to: Vec2, half_px: f32, look: &Look) -> Cover {
 pub fn triangle_of(a: Vec2, b: Vec2, c: Vec2, look: &Look) -> Cover {
     let points = [a.x, a.y, b.x, b.y];
     record(COVER_TRIANGLE, points, c.to_array(), look.color.w, look)
+}
+
+/// A cone with a round base of that radius around its centre, pixels, `ahead` how much its axis points
+/// to the viewer, -1 to 1; what is thinner than a pixel is that much clearer.
+pub fn cone_of(base: Vec2, apex: Vec2, radius_px: f32, ahead: f32, look: &Look) -> Cover {
+    let part = min_exact(2.0 * radius_px, 1.0);
+    record(
+        COVER_CONE,
+        [base.x, base.y, apex.x, apex.y],
+        [max_exact(radius_px, 0.5) + 0.5, ahead],
+        look.color.w * part * part,
+        look,
+    )
+}
+
+/// The two records of what is mirrored: it and its mirror image or, where they overlap, both in one,
+/// for neither may be in front of the other, and nothing.
+pub fn mirrored(cover: Cover, view: &Frame) -> [Cover; 2] {
+    if cover.shape[2] == COVER_NONE {
+        return [cover; 2];
+    }
+    let (mut own, mut other) = (cover, cover);
+    if straddles(bounds_here(&cover, view.width, view.height), view.width) {
+        own.lit[3] = COVER_TWIN;
+        other = Cover::default();
+    } else {
+        other.lit[3] = COVER_MIRRORED;
+    }
+    [own, other]
 }

@@ -5,7 +5,8 @@ use glam::Vec3;
 
 use crate::cpu::boid::limited;
 use crate::exact::{
-    f32_of_u32, inverse_square_root, min_exact, normalize_exact, shared_constants, to_i32,
+    dot3, f32_of_u32, inverse_square_root, less, min_exact, normalize_exact, shared_constants,
+    to_i32,
 };
 use crate::layout::{FlockFrame, RELATION_AVOID, RELATION_FLOCK, Relation, SUM_STEPS};
 
@@ -71,6 +72,15 @@ pub struct Neighbour {
     pub velocity: Vec3,
 }
 
+/// Whether one that goes that way sees what the offset leads to, of that squared length; who does not
+/// move sees all around.
+#[inline]
+pub fn sees(heading: Vec3, offset: Vec3, squared: f32, relation: &Relation) -> bool {
+    let ahead = dot3(heading, offset);
+    let moves = less(0.0, dot3(heading, heading));
+    !moves || !less(ahead * ahead.abs(), relation.sight[0] * squared)
+}
+
 /// What is perceived with one more; `own` is the velocity of who perceives.
 #[inline]
 pub fn perceiving(
@@ -115,7 +125,7 @@ pub fn perceiving(
 /// A rule's acceleration: the wanted velocity less the own, at most the limit. Where there is no
 /// way to want, it brakes.
 #[inline]
-fn steering([weight, speed, limit, _]: [f32; 4], way: Vec3, own: Vec3) -> Vec3 {
+pub(crate) fn steering([weight, speed, limit, _]: [f32; 4], way: Vec3, own: Vec3) -> Vec3 {
     let wanted = normalize_exact(way) * Vec3::splat(speed);
     limited(wanted - own, limit) * Vec3::splat(weight)
 }

@@ -56,6 +56,8 @@ enum Work {
     LargePages,
     /// Flock by flock, one a boid.
     Boids,
+    /// The same, of flocks with trails.
+    TrailedBoids,
     /// Fire by fire, one a flame.
     Fires,
     /// One a flame of any fire.
@@ -273,6 +275,11 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
         stage: Stage::Shapes,
         kernel: "draw/boid_shapes",
         work: Work::Boids,
+    },
+    KernelUse {
+        stage: Stage::Shapes,
+        kernel: "draw/boid_trails",
+        work: Work::TrailedBoids,
     },
     KernelUse {
         stage: Stage::Cover,
@@ -565,6 +572,12 @@ impl GpuBackend {
                 .boid_counts()
                 .zip(0..)
                 .try_for_each(|(count, flock)| push(0, 0, &[flock], direct(count))),
+            Work::TrailedBoids => plan
+                .boid_counts()
+                .zip(plan.trail_frames())
+                .zip(0..)
+                .filter(|((_, trail_frames), _)| *trail_frames > 0)
+                .try_for_each(|((count, _), flock)| push(0, 0, &[flock], direct(count))),
             Work::Fires => plan
                 .flame_counts()
                 .zip(0..)

@@ -84,6 +84,7 @@ impl GpuBackend {
             "birth_counts" => u64::from(self.system_count),
             "birth_offsets" => u64::from(self.system_count) + 1,
             "boids" | "sorted_boids" => u64::from(self.boid_count) * BOID_WORDS,
+            "boid_trails" => u64::from(self.boid_trail_count) * 4,
             "flames" => u64::from(self.flame_count) * FLAME_WORDS,
             "flame_bounds" => u64::from(self.flame_count) * 4,
             "flame_steps" => u64::from(self.flame_count * FLAME_STEPS) * 4,

@@ -31,6 +31,10 @@ impl GpuBackend {
         self.gpu
             .write(boids, 0, bytemuck::cast_slice(living.boids))?;
         self.gpu.queue.submit([]);
+        let trails = self.memory.named("boid_trails")?;
+        self.gpu
+            .write(trails, 0, bytemuck::cast_slice(living.trails))?;
+        self.gpu.queue.submit([]);
         let live = (particles.len() / PARTICLE_WORDS) as u32;
         let counts = Counts {
             live,

@@ -44,6 +44,7 @@ impl GpuBackend {
             ("layer_planes", bytemuck::cast_slice(&inputs.layer_planes)),
             ("flocks", bytemuck::cast_slice(&inputs.flocks)),
             ("relations", bytemuck::cast_slice(&inputs.relations)),
+            ("obstacles", bytemuck::cast_slice(&inputs.obstacles)),
             ("fires", bytemuck::cast_slice(&inputs.fires)),
             ("listed_flames", bytemuck::cast_slice(&inputs.listed_flames)),
             ("age_looks", bytemuck::cast_slice(&inputs.age_looks)),

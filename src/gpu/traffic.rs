@@ -40,8 +40,10 @@ pub struct Load {
     pub flames: u64,
     /// Records of what covers, those of nothing included.
     pub covers: u64,
-    /// Those of them that are of boids.
+    /// Those of them that are of boids, without their trails.
     pub boid_covers: u64,
+    /// Those of them that are of boids' trails.
+    pub trail_segments: u64,
     /// Those of them that are in sight.
     pub seen_covers: u64,
     /// What the plan makes use of.
@@ -238,6 +240,10 @@ static TABLE: &[Line] = &[
     }),
     ("draw/boid_shapes", |load| {
         (load.boids, load.boids * BOID + load.boid_covers * COVER)
+    }),
+    ("draw/boid_trails", |load| {
+        let records = load.trail_segments;
+        (records, records * (4 * WORD + COVER))
     }),
     ("draw/cover_work", |_| {
         // Counts of families, their sum, what the sort and one round are dispatched by.

@@ -59,6 +59,14 @@ shared_constants! {
     pub const RELATION_AVOID: u32 = 1;
     /// Be pulled by each of them.
     pub const RELATION_APPROACH: u32 = 2;
+    /// [`Relation::kinds`]`[3]` at most.
+    pub const MOST_NEAREST: u32 = 16;
+    /// [`Obstacle::kinds`]`[0]`: a ball.
+    pub const OBSTACLE_SPHERE: u32 = 0;
+    /// A plane.
+    pub const OBSTACLE_PLANE: u32 = 1;
+    /// A box along the axes.
+    pub const OBSTACLE_BOX: u32 = 2;
     /// Steps of a sum over neighbours in its unit, which no term exceeds: 2^29.
     pub const SUM_STEPS: f32 = 536_870_912.0;
     /// [`FlockFrame::ties`]`[3]`: a triangle along the heading.
@@ -67,6 +75,8 @@ shared_constants! {
     pub const BOID_DISC: u32 = 1;
     /// A disc whose size is in pixels.
     pub const BOID_POINT: u32 = 2;
+    /// A cone with a round base, along the heading.
+    pub const BOID_CONE: u32 = 3;
 }
 
 /// What the processor knows of one flock in one frame.
@@ -96,6 +106,10 @@ pub struct FlockFrame {
     pub cell_extent: [f32; 4],
     /// Red, green, blue and opacity.
     pub color: [f32; 4],
+    /// The goal; the inverse of the radius where boids slow down, 0 for none.
+    pub goal: [f32; 4],
+    /// Its weight, speed and limit, which is 0 where there is no goal; the drag.
+    pub goal_rule: [f32; 4],
     /// Grid cells along x, y and z; the first one among those of all flocks.
     pub grid: [u32; 4],
     /// First boid and how many; the flock's key; what its edges are (`EDGES_` constants).
@@ -103,8 +117,15 @@ pub struct FlockFrame {
     /// First relation and how many; 1 if headings are in space, not in a plane; what boids look
     /// like (`BOID_` constants).
     pub ties: [u32; 4],
+    /// First place of its boids' trails; the length of the ring that each has, less 1, a power of two
+    /// less 1; how many segments are drawn; the first record of what covers of these, among those of
+    /// boids.
+    pub trail: [u32; 4],
+    /// How much fainter each segment is than the one before; how wide the first would be, in sizes; the
+    /// square of what is no way but a jump; w unused.
+    pub trail_look: [f32; 4],
     /// First record of what covers, among those of boids; records a boid: 0, 1, or 2 where it is
-    /// drawn at -x again; the others unused.
+    /// drawn mirrored, too; first obstacle and how many.
     pub drawn: [u32; 4],
 }
 
@@ -113,7 +134,7 @@ pub struct FlockFrame {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct Relation {
     /// Kind (`RELATION_` constants), slot of the other flock, 1 if separation counts near ones
-    /// more; w unused.
+    /// more, how many are seen at most, the nearest, or 0 for all.
     pub kinds: [u32; 4],
     /// Squared radius, radius, steps of the fixed-point sums of offsets, of those of pushes.
     pub reach: [f32; 4],
@@ -123,4 +144,21 @@ pub struct Relation {
     pub alignment: [f32; 4],
     /// Weight, speed and limit; w: the radius, widened for rounding.
     pub cohesion: [f32; 4],
+    /// cos |cos| of half the angle of view, below -1 for all around; the others unused.
+    pub sight: [f32; 4],
+}
+
+/// What boids of a flock turn away from, and never enter.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct Obstacle {
+    /// Kind (`OBSTACLE_` constants); 1 if boids stay inside; the others unused.
+    pub kinds: [u32; 4],
+    /// Of a ball its centre and radius, of a plane its unit normal and the distance along it, of a box
+    /// its centre.
+    pub place: [f32; 4],
+    /// Half the extents of a box.
+    pub extent: [f32; 4],
+    /// The inverse of the margin where boids turn away, most that they accelerate; the others unused.
+    pub push: [f32; 4],
 }

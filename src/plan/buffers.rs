@@ -4,7 +4,7 @@ use super::Plan;
 use crate::layout::{
     AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, FLAME_LIGHTS, FLAME_STEPS, FireFrame,
     Flame, FlameDisc, FlameLight, FlockFrame, Frame, FrameStats, Ground, Lamp, ListedFlame, Node,
-    Particle, Pillar, Planet, Pose, Relation, SystemFrame, SystemRow, Wind,
+    Obstacle, Particle, Pillar, Planet, Pose, Relation, SystemFrame, SystemRow, Wind,
 };
 
 /// What a buffer is for.
@@ -56,6 +56,8 @@ pub enum Count {
     Relations,
     /// One a boid.
     Boids,
+    /// One for each place of a boid's trail.
+    BoidTrails,
     /// One for every so many cells of the flocks' grids, and so many more.
     Cells {
         /// Cells a record; the last may stand for fewer.
@@ -300,7 +302,15 @@ pub static BUFFERS: &[Buffer] = {
             size_of::<Relation>(),
             Count::Relations,
         ),
+        buffer_of(
+            "obstacles",
+            Input,
+            "Obstacle",
+            size_of::<Obstacle>(),
+            Count::Fixed(Plan::MOST_OBSTACLES),
+        ),
         buffer_of("boids", State, "Boid", size_of::<Boid>(), Count::Boids),
+        buffer_of("boid_trails", State, "vec4<u32>", 16, Count::BoidTrails),
         buffer_of("boid_cells", State, "u32", 4, Count::Boids),
         buffer_of(
             "cell_counts",
@@ -437,6 +447,7 @@ impl Buffer {
             Count::Flocks => plan.flock_count,
             Count::Relations => plan.relation_count,
             Count::Boids => plan.boid_count,
+            Count::BoidTrails => plan.boid_trail_count,
             Count::Fires(each) => plan.fire_count * each,
             Count::ListedFlames => plan.listed_flame_count,
             Count::Flames(each) => plan.flame_count * each,

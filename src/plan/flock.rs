@@ -2,6 +2,7 @@
 
 use super::PlanError;
 use super::system::name_key;
+use super::urges::{flattened, goal_of, obstacle_of, sight_of};
 use crate::exact::snap;
 use crate::layout::{self, FlockFrame, SUM_STEPS};
 use crate::scene::{BoidShape, Corners, Dimensions, Edges, Flock, RelationKind, Rule, Scene};
@@ -23,6 +24,9 @@ const MOST_CELLS_A_RADIUS: f64 = 4.0;
 
 /// Cells along x for one along the others: those of a row are looked at in one go.
 const FINER_ALONG_X: f64 = 2.0;
+
+/// How wide a trail begins, in sizes of its boid.
+const TRAIL_WIDTH: f32 = 0.4;
 
 /// How much farther boids look for neighbours than they see, for rounding.
 const RADIUS_MARGIN: f32 = 1.001;
@@ -126,14 +130,6 @@ impl Grid {
     }
 }
 
-/// The vector, without a depth where the flock has none.
-fn flattened(flock: &Flock, [x, y, z]: [f32; 3]) -> [f32; 3] {
-    match flock.dimensions {
-        Dimensions::Two => [x, y, 0.0],
-        Dimensions::Three => [x, y, z],
-    }
-}
-
 /// The corners, without a depth where the flock has none.
 fn flat(flock: &Flock, Corners { min, max }: Corners) -> Corners {
     Corners {
@@ -194,15 +190,20 @@ pub(super) fn cell_count(scene: &Scene) -> u32 {
     slots.map(|slot| Grid::of(scene, slot).count()).sum()
 }
 
-/// Every flock of a frame and all their relations; `scene` is the scene as it is then, `earlier` as it
-/// was a frame before.
+/// Every flock of a frame, all their relations and all that they are kept from; `scene` is the scene as
+/// it is then, `earlier` as it was a frame before.
 pub(super) fn flocks_of(
     scene: &Scene,
     earlier: &Scene,
-) -> (Vec<FlockFrame>, Vec<layout::Relation>) {
+) -> (
+    Vec<FlockFrame>,
+    Vec<layout::Relation>,
+    Vec<layout::Obstacle>,
+) {
     let mut flocks = Vec::new();
     let mut relations = Vec::new();
-    let (mut first_boid, mut first_cell, mut first_cover) = (0, 0, 0);
+    let mut obstacles = Vec::new();
+    let (mut first_boid, mut first_cell, mut first_cover, mut first_place) = (0, 0, 0, 0);
     for (slot, (flock, before)) in scene.flocks.iter().zip(&earlier.flocks).enumerate() {
         let grid = Grid::of(scene, slot);
         let frame = flock_frame(flock, before.max_speed, &grid, scene.seed);
@@ -214,15 +215,28 @@ pub(super) fn flocks_of(
             grid: [cells_x, cells_y, cells_z, first_cell],
             members: [first_boid, count, key, edges],
             ties: [relations.len() as u32, ties, in_space, shape],
-            drawn: [first_cover, faces(flock), 0, 0],
+            trail: [
+                first_place,
+                ring(flock) - 1,
+                flock.trail_frames,
+                first_cover,
+            ],
+            drawn: [
+                first_cover + flock.count * faces(flock) * flock.trail_frames,
+                faces(flock),
+                obstacles.len() as u32,
+                flock.obstacles.len() as u32,
+            ],
             ..frame
         });
         relations.extend(flock.relations.iter().map(|tie| relation(flock, tie)));
+        obstacles.extend(flock.obstacles.iter().map(|it| obstacle_of(flock, it)));
         first_boid += flock.count;
-        first_cover += flock.count * faces(flock);
+        first_cover += records(flock);
+        first_place += trail_places(flock);
         first_cell += grid.count();
     }
-    (flocks, relations)
+    (flocks, relations, obstacles)
 }
 
 /// A flock's frame; velocities are as they were limited to `speed_before`.
@@ -253,7 +267,9 @@ fn flock_frame(flock: &Flock, speed_before: f32, grid: &Grid, seed: u64) -> Floc
         BoidShape::Triangle => layout::BOID_TRIANGLE,
         BoidShape::Disc => layout::BOID_DISC,
         BoidShape::Point => layout::BOID_POINT,
+        BoidShape::Cone => layout::BOID_CONE,
     };
+    let [goal, goal_rule] = goal_of(flock);
     FlockFrame {
         region_min: with(region.min, flock.start_speed),
         region_extent: with(extent(region), flock.max_speed),
@@ -266,6 +282,8 @@ fn flock_frame(flock: &Flock, speed_before: f32, grid: &Grid, seed: u64) -> Floc
         cells_per_unit: with(grid.cells_per_unit(), flock.size),
         cell_extent: with(grid.told_widths(), 0.0),
         color: [red, green, blue, flock.opacity].map(snap),
+        goal,
+        goal_rule,
         grid: [0; 4],
         members: [
             0,
@@ -279,8 +297,45 @@ fn flock_frame(flock: &Flock, speed_before: f32, grid: &Grid, seed: u64) -> Floc
             u32::from(flock.dimensions == Dimensions::Three),
             shape,
         ],
+        trail: [0; 4],
+        trail_look: trail_look(flock),
         drawn: [0; 4],
     }
+}
+
+/// Places of the ring that a boid's trail is: a power of two, so that frames modulo it go on where
+/// frames before 0 end.
+fn ring(flock: &Flock) -> u32 {
+    flock.trail_frames.next_power_of_two()
+}
+
+/// Places of the trails of a flock.
+pub(super) fn trail_places(flock: &Flock) -> u32 {
+    if flock.trail_frames == 0 {
+        0
+    } else {
+        flock.count * ring(flock)
+    }
+}
+
+/// Segments of the trails of a flock that are drawn.
+pub(super) fn trail_segments(flock: &Flock) -> u64 {
+    u64::from(flock.count) * u64::from(faces(flock) * flock.trail_frames)
+}
+
+/// How much fainter each segment of a trail is, how wide it begins, and the square of what is a jump.
+fn trail_look(flock: &Flock) -> [f32; 4] {
+    let axes = match flock.edges {
+        Edges::Wrap(corners) | Edges::Torus(corners) => Some(flat(flock, corners)),
+        _ => None,
+    };
+    let extents = axes.iter().flat_map(|Corners { min, max }| {
+        let extent = |axis: usize| max[axis] - min[axis];
+        [0, 1, 2].map(extent).into_iter().filter(|it| *it > 0.0)
+    });
+    let farthest = 0.5 * extents.fold(1e9, f32::min);
+    let step = 1.0 / (flock.trail_frames + 1) as f32;
+    [step, TRAIL_WIDTH, farthest * farthest, 0.0].map(snap)
 }
 
 /// How often each boid of the flock is drawn.
@@ -295,7 +350,12 @@ fn faces(flock: &Flock) -> u32 {
 /// Records of what covers that boids have.
 pub(super) fn cover_count(scene: &Scene) -> u32 {
     let flocks = scene.flocks.iter();
-    flocks.map(|flock| flock.count * faces(flock)).sum()
+    flocks.map(records).sum()
+}
+
+/// Records of what covers that the flock has, its trails' included.
+fn records(flock: &Flock) -> u32 {
+    flock.count * faces(flock) * (1 + flock.trail_frames)
 }
 
 fn relation(flock: &Flock, tie: &crate::scene::Relation) -> layout::Relation {
@@ -321,7 +381,12 @@ fn relation(flock: &Flock, tie: &crate::scene::Relation) -> layout::Relation {
     };
     let push = power_of_two_from(limit);
     layout::Relation {
-        kinds: [kind, tie.other as u32, u32::from(nearness), 0],
+        kinds: [
+            kind,
+            tie.other as u32,
+            u32::from(nearness),
+            tie.nearest.unwrap_or(0),
+        ],
         reach: [
             radius * radius,
             radius,
@@ -332,6 +397,7 @@ fn relation(flock: &Flock, tie: &crate::scene::Relation) -> layout::Relation {
         separation: weighed(rules[0], limit),
         alignment: weighed(rules[1], push),
         cohesion: weighed(rules[2], radius * RADIUS_MARGIN),
+        sight: [sight_of(tie.view_angle_degrees), 0.0, 0.0, 0.0],
     }
 }
 

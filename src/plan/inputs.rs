@@ -10,8 +10,8 @@ use super::system::{Moments, bounds_of, system_frame, system_row};
 use super::tree::{bears_systems, broods, pose_of, row_spread};
 use super::wind::winds_of;
 use crate::layout::{
-    AgeLook, Bound, Brood, FireFrame, FlockFrame, Frame, Ground, Lamp, ListedFlame, Pillar, Planet,
-    Pose, Relation, SYSTEM_BEARS_SYSTEMS, SystemFrame, SystemRow, Wind,
+    AgeLook, Bound, Brood, FireFrame, FlockFrame, Frame, Ground, Lamp, ListedFlame, Obstacle,
+    Pillar, Planet, Pose, Relation, SYSTEM_BEARS_SYSTEMS, SystemFrame, SystemRow, Wind,
 };
 use crate::scene::Scene;
 
@@ -49,6 +49,8 @@ pub struct FrameInputs {
     pub flocks: Vec<FlockFrame>,
     /// What flocks make of each other, flock by flock.
     pub relations: Vec<Relation>,
+    /// What their boids are kept from, flock by flock; at most [`Plan::MOST_OBSTACLES`].
+    pub obstacles: Vec<Obstacle>,
     /// One a fire.
     pub fires: Vec<FireFrame>,
     /// The flames that are told one by one, fire by fire.
@@ -102,7 +104,7 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
     };
     let winds = winds_of(&now, number);
     let layer_planes = layer_planes(&now);
-    let (flocks, relations) = flocks_of(&now, &earlier);
+    let (flocks, relations, obstacles) = flocks_of(&now, &earlier);
     let planets = planet_of(&now);
     let lamps = if planets.is_empty() && !has_ground(&now) {
         Vec::new()
@@ -137,6 +139,7 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
         pillars,
         flocks,
         relations,
+        obstacles,
         fires,
         listed_flames,
         age_looks,

@@ -21,6 +21,7 @@ mod stages;
 mod system;
 mod tree;
 mod turned;
+mod urges;
 mod uses;
 mod wind;
 
@@ -85,7 +86,9 @@ pub struct Plan {
     pub flock_count: u32,
     /// Boids of all flocks.
     pub boid_count: u32,
-    /// How often boids are drawn in all, at most.
+    /// Places of the trails of all boids.
+    pub boid_trail_count: u32,
+    /// How often boids, and segments of their trails, are drawn in all, at most.
     pub boid_cover_count: u32,
     /// What flocks make of each other, at most.
     pub relation_count: u32,
@@ -120,6 +123,8 @@ impl Plan {
     pub const MOST_BOUNDS: u32 = 4096;
     /// Parts of the wind, at most.
     pub const MOST_WINDS: u32 = 16;
+    /// Obstacles of all flocks together, at most.
+    pub const MOST_OBSTACLES: u32 = 1024;
     /// Lights near the planet and the ground, at most.
     pub const MOST_LAMPS: u32 = 16;
     /// Cylinders before the ground, at most.
@@ -193,6 +198,7 @@ impl Plan {
             tree_levels: tree::levels(scene),
             flock_count: scene.flocks.len() as u32,
             boid_count: scene.flocks.iter().map(|flock| flock.count).sum(),
+            boid_trail_count: scene.flocks.iter().map(flock::trail_places).sum(),
             boid_cover_count: most(&|scene| flock::cover_count(scene)),
             relation_count: most(&relations),
             cell_count: most(&|scene| flock::cell_count(scene)),
@@ -294,6 +300,18 @@ impl Plan {
         scene.flocks.iter().map(|flock| flock.count)
     }
 
+    /// Segments of the trails that are drawn in a frame, out of sight or not.
+    pub(crate) fn trail_segments(&self) -> u64 {
+        let (_, scene) = &self.variants[0];
+        scene.flocks.iter().map(flock::trail_segments).sum()
+    }
+
+    /// How many frames long the trails of each flock's boids are.
+    pub fn trail_frames(&self) -> impl Iterator<Item = u32> + '_ {
+        let (_, scene) = &self.variants[0];
+        scene.flocks.iter().map(|flock| flock.trail_frames)
+    }
+
     /// The name of each flock.
     pub fn flock_names(&self) -> impl Iterator<Item = &str> + '_ {
         let (_, scene) = &self.variants[0];
@@ -360,10 +378,10 @@ fn check_bounds(scenes: &[&Scene]) -> Result<(), PlanError> {
 
 /// Whether the turn leaves alone what holds for a whole run of `scene`.
 pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
-    let flocks = |scene: &Scene| -> Vec<(String, u32)> {
+    let flocks = |scene: &Scene| -> Vec<(String, u32, u32)> {
         let flocks = scene.flocks.iter();
         flocks
-            .map(|flock| (flock.name.clone(), flock.count))
+            .map(|flock| (flock.name.clone(), flock.count, flock.trail_frames))
             .collect()
     };
     let fires = |scene: &Scene| -> Vec<(String, usize, u32)> {
@@ -407,7 +425,7 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
                 "the change at frame {} alters what holds for a whole run",
                 turn.frame
             ),
-            help: "the list of systems, their names, parents and `blend`, whether there is a planet, whether a ground or pillars, the flocks' and fires' names and counts, the \
+            help: "the list of systems, their names, parents and `blend`, whether there is a planet, whether a ground or pillars, the flocks' and fires' names and counts, `trail_frames`, the \
                    number of layers, the image size, the seed and the capacity stay as the scene has \
                    them"
                 .into(),

@@ -135,7 +135,7 @@ pub static STAGES: &[StageInfo] = &[
         stage: Stage::Hatch,
         name: "hatch",
         reads: &["flocks"],
-        writes: &["boids"],
+        writes: &["boids", "boid_trails"],
         draws: false,
     },
     StageInfo {
@@ -148,8 +148,16 @@ pub static STAGES: &[StageInfo] = &[
     StageInfo {
         stage: Stage::Steer,
         name: "steer",
-        reads: &["flocks", "relations", "cell_starts", "sorted_boids"],
-        writes: &["boids"],
+        reads: &[
+            "frame",
+            "flocks",
+            "relations",
+            "obstacles",
+            "winds",
+            "cell_starts",
+            "sorted_boids",
+        ],
+        writes: &["boids", "boid_trails"],
         draws: false,
     },
     StageInfo {
@@ -197,6 +205,7 @@ pub static STAGES: &[StageInfo] = &[
             "particles",
             "flocks",
             "boids",
+            "boid_trails",
             "layer_planes",
         ],
         writes: &["covers", "cover_counts"],

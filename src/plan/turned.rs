@@ -21,6 +21,8 @@ impl Plan {
             planet: self.uses.planet,
             ground: self.uses.ground,
             triangles: self.uses.triangles,
+            cones: self.uses.cones,
+            mirrors: self.uses.mirrors,
             ..Uses::all()
         };
         let rows = (self.lifetime_bound.saturating_add(1)).saturating_mul(2);

@@ -2,8 +2,8 @@
 
 use super::FrameInputs;
 use crate::layout::{
-    BOID_TRIANGLE, EDGES_TORUS, FlockFrame, PARTICLE_RECTANGLE, PARTICLE_STREAK, ROW_OVER,
-    Relation, SHAPE_MESH, SystemFrame, SystemRow, WIND_ATTRACTOR, WIND_CURL, WIND_SOURCE,
+    BOID_CONE, BOID_TRIANGLE, EDGES_TORUS, FlockFrame, PARTICLE_RECTANGLE, PARTICLE_STREAK,
+    ROW_OVER, Relation, SHAPE_MESH, SystemFrame, SystemRow, WIND_ATTRACTOR, WIND_CURL, WIND_SOURCE,
     WIND_VORTEX, Wind,
 };
 
@@ -78,14 +78,42 @@ uses! {
     details "DETAILS";
     /// Flocks whose opposite edges are the same.
     torus "TORUS";
+    /// Boids that do not see all around.
+    views "VIEWS";
+    /// Boids that see but the nearest.
+    nearest "NEAREST";
+    /// Flocks with a goal.
+    goals "GOALS";
+    /// Flocks with obstacles.
+    obstacles "OBSTACLES";
+    /// Flocks with drag.
+    blown "BLOWN";
     /// What covers what is behind it.
     covers "COVERS";
     /// Covering triangles.
     triangles "TRIANGLES";
+    /// Trails of boids.
+    trails "TRAILS";
+    /// Covering cones.
+    cones "CONES";
+    /// Covers that are drawn at the other side of the picture, too.
+    mirrors "MIRRORS";
 }
 
 fn is_drawn(flock: &FlockFrame) -> bool {
     flock.drawn[1] > 0
+}
+
+fn has_trails(flock: &FlockFrame) -> bool {
+    flock.trail[2] > 0
+}
+
+fn has_cones(flock: &FlockFrame) -> bool {
+    is_drawn(flock) && flock.ties[3] == BOID_CONE
+}
+
+fn is_mirrored(flock: &FlockFrame) -> bool {
+    flock.drawn[1] == 2
 }
 
 fn is_torus(flock: &FlockFrame) -> bool {
@@ -125,7 +153,16 @@ impl Uses {
             layers: !inputs.layer_planes.is_empty(),
             covers: inputs.flocks.iter().any(is_drawn),
             triangles: inputs.flocks.iter().any(has_triangles),
+            trails: inputs.flocks.iter().any(has_trails),
+            streaks: inputs.flocks.iter().any(has_trails),
+            cones: inputs.flocks.iter().any(has_cones),
+            mirrors: inputs.flocks.iter().any(is_mirrored),
             torus: inputs.flocks.iter().any(is_torus),
+            views: inputs.relations.iter().any(|tie| tie.sight[0] >= -1.0),
+            nearest: inputs.relations.iter().any(|tie| tie.kinds[3] > 0),
+            goals: inputs.flocks.iter().any(|flock| flock.goal_rule[2] > 0.0),
+            obstacles: !inputs.obstacles.is_empty(),
+            blown: inputs.flocks.iter().any(|flock| flock.goal_rule[3] > 0.0),
             crowds: inputs
                 .flocks
                 .iter()

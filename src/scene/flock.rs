@@ -1,5 +1,7 @@
 //! Flocks (Reynolds 1987, as the flocking article has them).
 
+use super::Side;
+
 /// A flock: boids that are all there from the first frame on and never die.
 ///
 /// Predators and attractors are flocks, too: what one flock makes of another is a [`Relation`].
@@ -30,16 +32,26 @@ pub struct Flock {
     pub edges: Edges,
     /// What the flock makes of others and of itself, at most 16.
     pub relations: Vec<Relation>,
+    /// Where it wants to go. Default nowhere.
+    pub goal: Option<Goal>,
+    /// What it turns away from and never enters, at most 16; of those that overlap, the last counts.
+    pub obstacles: Vec<Obstacle>,
+    /// Part of its velocity against the wind that a boid loses each frame, 0 ..= 1. Default 0.
+    pub drag: f32,
     /// What a boid looks like. Default a triangle.
     pub shape: BoidShape,
-    /// Base of the triangle or diameter of the disc, 0.000001 ..= 10,000 world units; of a point,
+    /// Base of the triangle or diameter of the disc or of the cone's base, 0.000001 ..= 10,000 world units; of a point,
     /// pixels. Default 3.
     pub size: f32,
     /// Display-referred colour, each 0 ..= 1. Default white.
     pub color: [f32; 3],
     /// How much of what is behind it a boid hides, 0 ..= 1. Default 1; 0 is not drawn.
     pub opacity: f32,
-    /// Whether each boid is drawn a second time, mirrored, at -x. Default no.
+    /// How many frames long the trail is that a boid draws behind it, 0 ..= 64; it fades and narrows.
+    /// The same for a whole run. Default 0.
+    pub trail_frames: u32,
+    /// Whether each boid is drawn a second time, mirrored at the picture's upright middle line: the
+    /// picture of such a flock is its own mirror image, to the bit. Default no.
     pub mirrored: bool,
 }
 
@@ -70,6 +82,9 @@ pub enum BoidShape {
     Disc,
     /// A disc whose diameter is in pixels.
     Point,
+    /// A cone that points where it flies, lit as spheres are; its base is round, and it is two and a
+    /// half times as long as that is wide.
+    Cone,
 }
 
 /// What happens where the world ends; `Corners` say where that is.
@@ -106,6 +121,12 @@ pub struct Relation {
     /// Whom of it a boid perceives: those nearer than this, 0.000001 ..= 1,000,000 world units;
     /// `None`: the flock's own perception radius.
     pub radius: Option<f32>,
+    /// How wide it sees around where it flies, 1 ..= 360 degrees; who does not move sees all around.
+    /// Default 360.
+    pub view_angle_degrees: f32,
+    /// How many of those it perceives, the nearest, 1 ..= 16; of those that are as far, the first of
+    /// their flock. `None`: all.
+    pub nearest: Option<u32>,
     /// What it does about them.
     pub kind: RelationKind,
 }
@@ -146,4 +167,59 @@ pub struct Rule {
     pub speed: f32,
     /// World units a frame squared, 0.000001 ..= 10,000. Default 0.2 (separation 0.3).
     pub limit: f32,
+}
+
+/// A place that boids steer to: the way there at `speed`, less the velocity, at most `limit`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Goal {
+    /// World units; on a torus they take the nearest way.
+    pub position: [f32; 3],
+    /// Factor of the whole, -100 ..= 100; below 0 they flee. Default 1.
+    pub weight: f32,
+    /// World units a frame, 0 ..= 10,000. Default 4.
+    pub speed: f32,
+    /// World units a frame squared, 0.000001 ..= 10,000. Default 0.1.
+    pub limit: f32,
+    /// Within it they slow down, so as to arrive, 0 ..= 1,000,000 world units. Default 0.
+    pub slowing_radius: f32,
+}
+
+/// What boids turn away from and never enter; not across edges.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Obstacle {
+    /// What it is. For boids of a plane, its depth does not count.
+    pub shape: ObstacleShape,
+    /// How far from its surface they begin to turn away, 0.001 ..= 1,000,000 world units. Default 20.
+    pub margin: f32,
+    /// Most that they accelerate for it, at its surface, 0.000001 ..= 10,000 world units a frame
+    /// squared. Default 0.5.
+    pub limit: f32,
+}
+
+/// Shapes of obstacles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ObstacleShape {
+    /// A ball.
+    Sphere {
+        /// Its centre.
+        center: [f32; 3],
+        /// 0.001 ..= 1,000,000 world units.
+        radius: f32,
+        /// Where boids may be.
+        stay: Side,
+    },
+    /// A plane.
+    Plane {
+        /// A point of it.
+        point: [f32; 3],
+        /// Where it faces, and boids may be; not zero.
+        normal: [f32; 3],
+    },
+    /// A box along the axes.
+    Box {
+        /// Its corners.
+        corners: Corners,
+        /// Where boids may be.
+        stay: Side,
+    },
 }

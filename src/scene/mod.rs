@@ -43,7 +43,10 @@ pub use error::SceneError;
 pub(crate) use error::shortened;
 pub use extinction::{Extinction, Side};
 pub use fire::{Burning, Fire, FireLights, LightFrom, ListedFlame, Profile, RampStop, Roots};
-pub use flock::{BoidShape, Corners, Dimensions, Edges, Flock, Relation, RelationKind, Rule};
+pub use flock::{
+    BoidShape, Corners, Dimensions, Edges, Flock, Goal, Obstacle, ObstacleShape, Relation,
+    RelationKind, Rule,
+};
 pub use generation::{Attractor, EjectionAxis, EjectionSpread, GenerationShape};
 pub use inherit::Inherit;
 pub use knobs::{Knob, KnobValue};

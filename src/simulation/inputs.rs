@@ -1,8 +1,8 @@
 //! Whether inputs of the caller's making fit the plan.
 
 use crate::layout::{
-    FLAME_LIGHTS, FLAME_STEPS, FireFrame, FlockFrame, Ground, ROOTS_MESH, SHAPE_CURVE, SHAPE_MESH,
-    SystemFrame, SystemRow,
+    FLAME_LIGHTS, FLAME_STEPS, FireFrame, FlockFrame, Ground, MOST_NEAREST, ROOTS_MESH,
+    SHAPE_CURVE, SHAPE_MESH, SystemFrame, SystemRow,
 };
 use crate::plan::{FrameInputs, Plan, PlanError};
 
@@ -35,6 +35,7 @@ pub(super) fn check_sizes(plan: &Plan, inputs: &FrameInputs) -> Result<(), PlanE
     for (what, count, most) in [
         ("bounds", inputs.bounds.len(), Plan::MOST_BOUNDS),
         ("winds", inputs.winds.len(), Plan::MOST_WINDS),
+        ("obstacles", inputs.obstacles.len(), Plan::MOST_OBSTACLES),
         ("planets", inputs.planets.len(), u32::from(plan.uses.planet)),
         ("lamps", inputs.lamps.len(), Plan::MOST_LAMPS),
         ("grounds", inputs.grounds.len(), u32::from(plan.uses.ground)),
@@ -160,7 +161,7 @@ fn flocks_fit(plan: &Plan, inputs: &FrameInputs) -> bool {
         && inputs.flocks.iter().all(|flock| {
             let [x, y, z, first] = flock.grid;
             let cells = [x, y, z].map(u64::from).iter().product();
-            let [first_cover, faces, ..] = flock.drawn;
+            let [first_cover, faces, first_obstacle, obstacles] = flock.drawn;
             let covers = u64::from(flock.members[1]) * u64::from(faces);
             cells > 0
                 && faces <= 2
@@ -168,9 +169,25 @@ fn flocks_fit(plan: &Plan, inputs: &FrameInputs) -> bool {
                 && cells <= u64::from(u32::MAX)
                 && within(first, cells, plan.cell_count as usize)
                 && within(flock.ties[0], flock.ties[1].into(), ties)
+                && trail_fits(plan, flock)
+                && within(first_obstacle, obstacles.into(), inputs.obstacles.len())
         })
-        && inputs
-            .relations
-            .iter()
-            .all(|tie| (tie.kinds[1] as usize) < inputs.flocks.len())
+        && inputs.relations.iter().all(|tie| {
+            let [_, other, _, nearest] = tie.kinds;
+            (other as usize) < inputs.flocks.len() && nearest <= MOST_NEAREST
+        })
+}
+
+/// Whether a flock's trails have room, and are rings of a power of two.
+fn trail_fits(plan: &Plan, flock: &FlockFrame) -> bool {
+    let [first_place, mask, segments, first_cover] = flock.trail;
+    let ring = u64::from(mask) + 1;
+    let (count, faces) = (u64::from(flock.members[1]), u64::from(flock.drawn[1]));
+    let places = u64::from(first_place) + count * ring;
+    let covers = u64::from(first_cover) + count * faces * u64::from(segments);
+    segments == 0
+        || ring.is_power_of_two()
+            && u64::from(segments) <= ring
+            && places <= plan.boid_trail_count.into()
+            && covers <= plan.boid_cover_count.into()
 }

@@ -13,11 +13,11 @@ use crate::layout::{Boid, Particle};
 use crate::plan::Stage;
 
 /// What the bytes of a snapshot begin with; the last is the version of what follows.
-const MAGIC: &[u8; 8] = b"motes-s\x02";
+const MAGIC: &[u8; 8] = b"motes-s\x03";
 
 /// Words between that and the particles: frame, number of systems, number of particles, number of
-/// boids.
-const HEAD_WORDS: usize = 4;
+/// boids, number of places of their trails.
+const HEAD_WORDS: usize = 5;
 
 /// Words of a particle.
 const PARTICLE_WORDS: usize = size_of::<Particle>() / 4;
@@ -25,15 +25,19 @@ const PARTICLE_WORDS: usize = size_of::<Particle>() / 4;
 /// Words of a boid.
 const BOID_WORDS: usize = size_of::<Boid>() / 4;
 
+/// Words of a place of a trail.
+const PLACE_WORDS: usize = 4;
+
 /// The living after some frame, as they are stored.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Snapshot {
     frame: i32,
     system_count: u32,
-    /// Particles, then boids.
+    /// Particles, then boids, then the places of their trails.
     words: Vec<u32>,
     live: u32,
     boid_count: u32,
+    place_count: u32,
 }
 
 /// Why bytes are no snapshot, or not one of that run.
@@ -74,14 +78,19 @@ impl Snapshot {
         self.live
     }
 
-    /// The particles' words and the boids'.
+    /// The particles' words, the boids' and their trails'.
     fn living(&self) -> Living<'_> {
-        let (particles, boids) = self.words.split_at(self.live as usize * PARTICLE_WORDS);
-        Living { particles, boids }
+        let (particles, rest) = self.words.split_at(self.live as usize * PARTICLE_WORDS);
+        let (boids, trails) = rest.split_at(self.boid_count as usize * BOID_WORDS);
+        Living {
+            particles,
+            boids,
+            trails,
+        }
     }
 
-    /// Writes the bytes that [`Snapshot::from_bytes`] reads, the same on every machine: 32, and 32
-    /// for each particle and each boid.
+    /// Writes the bytes that [`Snapshot::from_bytes`] reads, the same on every machine: 36, 32 for
+    /// each particle and each boid, and 16 for each place of a boid's trail.
     ///
     /// # Errors
     /// Those of the writer.
@@ -100,6 +109,7 @@ impl Snapshot {
             self.system_count,
             self.live,
             self.boid_count,
+            self.place_count,
         ]
     }
 
@@ -120,6 +130,7 @@ impl Snapshot {
             Some(system_count),
             Some(live),
             Some(boid_count),
+            Some(place_count),
         ] = head
         else {
             return Err(SnapshotError::Damaged);
@@ -133,7 +144,12 @@ impl Snapshot {
             && words.len() as u64
                 == u64::from(live) * PARTICLE_WORDS as u64
                     + u64::from(boid_count) * BOID_WORDS as u64
-            && u64::from_le_bytes(*found) == seal(&[frame, system_count, live, boid_count], &words);
+                    + u64::from(place_count) * PLACE_WORDS as u64
+            && u64::from_le_bytes(*found)
+                == seal(
+                    &[frame, system_count, live, boid_count, place_count],
+                    &words,
+                );
         is_whole
             .then(|| Self {
                 frame: frame.cast_signed(),
@@ -141,6 +157,7 @@ impl Snapshot {
                 words,
                 live,
                 boid_count,
+                place_count,
             })
             .ok_or(SnapshotError::Damaged)
     }
@@ -166,12 +183,16 @@ impl Simulation {
         if self.plan.boid_count > 0 {
             words.extend(self.backend.read("boids")?);
         }
+        if self.plan.boid_trail_count > 0 {
+            words.extend(self.backend.read("boid_trails")?);
+        }
         Ok(Some(Snapshot {
             frame,
             system_count: self.plan.system_count,
             words,
             live,
             boid_count: self.plan.boid_count,
+            place_count: self.plan.boid_trail_count,
         }))
     }
 
@@ -205,6 +226,7 @@ impl Simulation {
             });
         let fits = are_in_place
             && snapshot.system_count == plan.system_count
+            && snapshot.place_count == plan.boid_trail_count
             && snapshot.live() <= plan.capacity
             && snapshot.frame >= plan.first_frame
             && particles.iter().all(is_of_plan);

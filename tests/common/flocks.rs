@@ -63,3 +63,60 @@ pub(crate) fn all_kinds_of_flocks() -> Scene {
          normal = [0.1, 0, 1]"
     ))
 }
+
+/// Flocks with everything that drives boids besides each other, in a plane and in space, some of it at
+/// odds; some begin inside of what they may not be in.
+pub(crate) fn driven_flocks() -> Scene {
+    let box_of = "min = [0, 0, -60], max = [300, 200, 60]";
+    let flocks = [
+        format!(
+            "name = \"deep\"\ncount = 250\ndimensions = 3\nregion = {{ {box_of} }}\ndrag = 0.05\n\
+             edges = {{ kind = \"torus\", {box_of} }}\nperception_radius = 24\nshape = \"cone\"\nsize = 9\n\
+             goal = {{ position = {{ keys = [[0, [20, 100, 0]], [9, [280, 20, 50]]] }}, \
+             slowing_radius = 60 }}\n\
+             [[flock.relation]]\nkind = \"flock\"\nview_angle_degrees = 270\nnearest = 7\n\
+             [[flock.obstacle]]\nkind = \"sphere\"\ncenter = [150, 100, 0]\nradius = 40\n\
+             [[flock.obstacle]]\nkind = \"box\"\nmin = [200, 20, -20]\nmax = [240, 60, 30]\n\
+             [[flock.obstacle]]\nkind = \"plane\"\npoint = [10, 10, 0]\nnormal = [1, 2, 0.5]\n"
+        ),
+        format!(
+            "name = \"flat\"\ncount = 250\nregion = {{ {box_of} }}\ndrag = 0.2\n\
+             shape = \"cone\"\nmirrored = true\nopacity = 0.7\ncolor = [0.9, 0.6, 0.3]\ntrail_frames = 5\n\
+             edges = {{ kind = \"wrap\", {box_of} }}\n\
+             goal = {{ position = [150, 100, 77], weight = -0.5, speed = 2 }}\n\
+             [[flock.relation]]\nkind = \"flock\"\nview_angle_degrees = 120\nradius = 30\n\
+             [[flock.relation]]\nkind = \"avoid\"\nother = \"deep\"\nview_angle_degrees = 200\nnearest = 13\n\
+             [[flock.obstacle]]\nkind = \"sphere\"\ncenter = [150, 100, 9]\nradius = 90\n\
+             stay = \"inside\"\nmargin = 5\n\
+             [[flock.obstacle]]\nkind = \"box\"\nmin = [70, 30, 5]\nmax = [230, 180, 6]\n\
+             stay = \"inside\"\nlimit = 2\n"
+        ),
+        // Nothing but wind; and one at the very middle of a ball.
+        format!(
+            "name = \"leaves\"\ncount = 40\ndimensions = 3\nstart_speed = 0\ndrag = 1\ntrail_frames = 8\n\
+             region = {{ {box_of} }}\nshape = \"disc\""
+        ),
+        "name = \"lost\"\ncount = 1\nregion = { min = [50, 50, 0], max = [50, 50, 0] }\n\
+         start_speed = 0\n[[flock.obstacle]]\nkind = \"sphere\"\ncenter = [50, 50, 0]\nradius = 30\n"
+            .into(),
+    ];
+    let text: String = flocks
+        .iter()
+        .map(|lines: &String| format!("[[flock]]\n{lines}\n"))
+        .collect();
+    scene_of(&format!(
+        "image = {{ width = 96, height = 64 }}
+         camera = {{ position = [150, 100, -190], target = [150, 100, 0], up = [0, -1, 0] }}
+         [[wind]]
+         kind = \"vortex\"
+         position = [150, 100, 0]
+         axis = [0, 0.2, 1]
+         speed = 2
+         radius = 30
+         [[wind]]
+         kind = \"curl\"
+         strength = 0.4
+         scale = [0.02, 0.02, 0.02]
+         {text}"
+    ))
+}

@@ -29,7 +29,7 @@ fn crowd(deep: bool, torus: bool) -> String {
 }
 
 /// The same inputs with one cell for each flock, so that everybody looks at everybody.
-fn without_grid(inputs: &FrameInputs) -> FrameInputs {
+pub(crate) fn without_grid(inputs: &FrameInputs) -> FrameInputs {
     let mut one_cell = inputs.clone();
     for (slot, flock) in one_cell.flocks.iter_mut().enumerate() {
         flock.grid = [1, 1, 1, slot as u32];

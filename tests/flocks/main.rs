@@ -3,13 +3,18 @@
 mod bands;
 #[path = "../common/mod.rs"]
 mod common;
+mod cones;
 mod edges;
 mod grid;
 mod looks;
 mod metrics;
+mod nearest;
 mod oracle;
 mod rules;
 mod runs;
 mod start;
 mod support;
+mod trails;
 mod twins;
+mod urges;
+mod views;

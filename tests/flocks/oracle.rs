@@ -3,6 +3,7 @@
 
 use motes::layout::Boid;
 use motes::plan::Plan;
+use rayon::prelude::*;
 
 use crate::common::*;
 use crate::support::*;
@@ -22,7 +23,7 @@ fn times(a: Vector, factor: f64) -> Vector {
 }
 
 fn mag(a: Vector) -> f64 {
-    a[0].hypot(a[1])
+    (a[0] * a[0] + a[1] * a[1]).sqrt()
 }
 
 fn limit(a: Vector, most: f64) -> Vector {
@@ -195,9 +196,11 @@ fn assert_as_the_article(what: &str, plan: &Plan, groups: &[Group], frames: u32)
         step(&mut cpu, &plan.inputs(frame));
         let after = lists_of(&boids(&mut cpu), groups.len());
         for (of, group) in groups.iter().enumerate() {
-            for (own, got) in after[of].iter().enumerate() {
+            let step = |own: usize| step_one(group, own, of, &before);
+            let expected: Vec<Stepped> = (0..after[of].len()).into_par_iter().map(step).collect();
+            for (own, (got, expected)) in after[of].iter().zip(expected).enumerate() {
                 all += 1;
-                let Stepped { body, undecided } = step_one(group, own, of, &before);
+                let Stepped { body, undecided } = expected;
                 if undecided {
                     left_out += 1;
                     continue;
@@ -253,30 +256,34 @@ fn f21_rules_are_those_of_the_article() {
     assert_as_the_article("all rules", &plan, &[FLOCKING], 120);
 }
 
+/// Frames of a built-in scene, each from the one before; in the full run all of them.
+fn assert_scene_as_the_article(name: &str, groups: &[Group]) {
+    let scene = motes::scene::load(name).expect("it is built in");
+    let frames = if full() { scene.frames } else { 150 };
+    assert_as_the_article(name, &plan(&scene), groups, frames);
+}
+
+#[test]
+fn f25_the_flock_is_the_article_s_in_every_frame() {
+    assert_scene_as_the_article("flock", &[FLOCKING]);
+}
+
 #[test]
 fn f28_predators_are_avoided_as_in_the_article() {
-    let prey = format!(
-        "{}[[flock.relation]]\nkind = \"avoid\"\nother = \"predators\"\n",
-        flocking()
-    );
-    let plan = plan(&scene(&[&prey, PREDATORS]));
     let avoiding = Group {
         avoids: &[1],
         ..FLOCKING
     };
-    assert_as_the_article("predators", &plan, &[avoiding, ALONE], 120);
+    assert_scene_as_the_article("predators", &[avoiding, ALONE]);
 }
 
 #[test]
 fn f31_crossed_flocks_are_those_of_the_article() {
-    let second = flocking().replace("\"boids\"", "\"second\"")
-        + "[[flock.relation]]\nkind = \"flock\"\nother = \"boids\"\n";
-    let plan = plan(&scene(&[&flocking(), &second]));
     let crossed = Group {
         flocks_with: &[1, 0],
         ..ALONE
     };
-    assert_as_the_article("crossed flocks", &plan, &[FLOCKING, crossed], 60);
+    assert_scene_as_the_article("crossed-flocks", &[FLOCKING, crossed]);
 }
 
 /// The Rorschach sketch: boids that flock in a box, follow attractors and avoid them.
@@ -298,8 +305,6 @@ pub(crate) fn rorschach() -> Vec<String> {
 
 #[test]
 fn f33_attractors_pull_as_in_the_article() {
-    let flocks = rorschach();
-    let plan = plan(&scene(&[&flocks[0], &flocks[1]]));
     let edge = Edge::Constrain([-50.0; 2], [50.0; 2]);
     let pulled = Group {
         avoids: &[1],
@@ -308,7 +313,7 @@ fn f33_attractors_pull_as_in_the_article() {
         ..FLOCKING
     };
     let attractors = Group { edge, ..ALONE };
-    assert_as_the_article("attractors", &plan, &[pulled, attractors], 60);
+    assert_scene_as_the_article("rorschach", &[pulled, attractors]);
 }
 
 #[test]

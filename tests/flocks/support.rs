@@ -20,6 +20,16 @@ pub(crate) fn scene(flocks: &[&str]) -> Scene {
     ))
 }
 
+/// The same in this wind.
+pub(crate) fn windy(wind: &str, flocks: &[&str]) -> Scene {
+    let mut windy = scene(flocks);
+    let text = format!(
+        "camera = {{ position = [0, 0, -1], target = [0, 0, 0] }}\n{wind}\n[[flock]]\n{FREE}"
+    );
+    windy.winds = common::scene_of(&text).winds;
+    windy
+}
+
 /// The article's 500 boids, without rules.
 pub(crate) const FREE: &str = "name = \"boids\"
     count = 500
@@ -86,9 +96,28 @@ pub(crate) fn place(backend: &mut dyn Backend, plan: &Plan, states: &[State]) {
         })
         .collect();
     assert_eq!(boids.len(), plan.boid_count as usize, "one state a boid");
+    // None has been elsewhere.
+    let trails: Vec<[u32; 4]> = boids
+        .iter()
+        .zip(
+            boids
+                .iter()
+                .map(|boid| plan.inputs(0).flocks[boid.flock() as usize]),
+        )
+        .flat_map(|(boid, flock)| {
+            let [x, y, z, _] = boid.position_and_flock;
+            let places = if flock.trail[2] > 0 {
+                flock.trail[1] + 1
+            } else {
+                0
+            };
+            std::iter::repeat_n([x, y, z, 0], places as usize)
+        })
+        .collect();
     let living = Living {
         particles: &[],
         boids: bytemuck::cast_slice(&boids),
+        trails: bytemuck::cast_slice(&trails),
     };
     backend
         .restore(&living, &[plan.inputs(0)])
@@ -121,4 +150,17 @@ pub(crate) fn with(lines: &str, keys: &[(&str, &str)]) -> String {
         }
     }
     lines.join("\n") + "\n"
+}
+
+/// Numbers that look random, the same each time (Steele et al. 2014, SplitMix).
+pub(crate) struct Random(pub(crate) u64);
+
+impl Random {
+    pub(crate) fn within(&mut self, low: f64, high: f64) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        let unit = ((mixed ^ (mixed >> 31)) >> 11) as f64 / (1u64 << 53) as f64;
+        low + unit * (high - low)
+    }
 }

@@ -24,3 +24,12 @@ fn f40_everything_is_the_same_stage_by_stage() {
     };
     assert_twins(&plan(&all_kinds_of_flocks()), 12, &options);
 }
+
+#[test]
+fn whatever_drives_boids_drives_them_the_same_everywhere() {
+    let options = GpuOptions {
+        workgroup_size: 32,
+        ..GpuOptions::default()
+    };
+    assert_twins(&plan(&driven_flocks()), 12, &options);
+}

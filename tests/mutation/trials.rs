@@ -293,6 +293,7 @@ pub(crate) fn trials() -> Vec<Trial> {
         Trial::new("planet", unchanging(&lit_planet(), 7), 64, LARGE),
         Trial::new("flocks", layered(flocks(false)), 24, LARGE),
         Trial::new("crowded flocks", flocks(true), 64, LARGE),
+        Trial::new("driven flocks", unchanging(&driven_flocks(), 6), 64, LARGE),
         Trial::new(
             "fires",
             layered(unchanging(&all_kinds_of_fires(), 6)),

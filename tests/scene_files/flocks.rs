@@ -52,6 +52,7 @@ fn every_kind_of_edge_is_read_as_what_it_says() {
         ("triangle", BoidShape::Triangle),
         ("disc", BoidShape::Disc),
         ("point", BoidShape::Point),
+        ("cone", BoidShape::Cone),
     ] {
         let text = with("flock", "shape", &format!("\"{word}\""));
         assert_eq!(accepted(&text).flocks[0].shape, wanted);

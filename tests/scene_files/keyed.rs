@@ -82,6 +82,9 @@ pub(crate) const CHANGING: &[(&str, &str, &str, &str)] = &[
     ("flock", "force", "[0, 0, 0]", "[-1, 2, 3]"),
     ("flock", "size", "3", "0.5"),
     ("flock", "color", "[1, 0.5, 0]", "[0, 0, 1]"),
+    ("flock", "drag", "0", "1"),
+    ("goal", "position", "[0, 0, 0]", "[1, 2, 3]"),
+    ("goal", "weight", "-1", "1"),
 ];
 
 /// The same values as plain scenes and as one with keys at frames 2 and 7.

@@ -3,10 +3,10 @@
 use motes::scene::{
     BirthMoment, BirthRounding, BirthUnit, Births, Blend, BoidShape, Burning, Burst, Camera,
     Changing, ChildUp, Corners, Dimensions, Edges, EjectionAxis, EjectionSpread, Extinction, Fire,
-    FireLights, Flock, GenerationShape, Ground, Image, Inherit, Integration, Intensity, Lamp,
-    Layer, Light, LightFrom, ListedFlame, ParticleShape, ParticleSpace, Pillar, Planet, Profile,
-    Projection, RampStop, Relation, RelationKind, Roots, Rule, Scene, Shading, ShutterWeighting,
-    Side, Spread, StreakLight, System, Turbulence, Wind,
+    FireLights, Flock, GenerationShape, Goal, Ground, Image, Inherit, Integration, Intensity, Lamp,
+    Layer, Light, LightFrom, ListedFlame, Obstacle, ObstacleShape, ParticleShape, ParticleSpace,
+    Pillar, Planet, Profile, Projection, RampStop, Relation, RelationKind, Roots, Rule, Scene,
+    Shading, ShutterWeighting, Side, Spread, StreakLight, System, Turbulence, Wind,
 };
 
 use crate::text::{FULL, MINIMAL, accepted};
@@ -263,6 +263,34 @@ fn every_key_of_a_system_reaches_its_place() {
     assert_eq!(scene.systems[1], second);
 }
 
+/// What the first flock of [`FULL`] is kept from.
+fn obstacles() -> Vec<Obstacle> {
+    let obstacle = |shape, margin, limit| Obstacle {
+        shape,
+        margin,
+        limit,
+    };
+    let sphere = ObstacleShape::Sphere {
+        center: [1.0, 2.0, -3.0],
+        radius: 4.0,
+        stay: Side::Inside,
+    };
+    let plane = ObstacleShape::Plane {
+        point: [0.0, -1.0, 2.0],
+        normal: [3.0, 0.0, 1.0],
+    };
+    let corners = Corners {
+        min: [-5.0, -4.0, -3.0],
+        max: [2.0, 3.0, 4.0],
+    };
+    let stay = Side::Inside;
+    vec![
+        obstacle(sphere, 6.0, 0.9),
+        obstacle(plane, 7.0, 0.8),
+        obstacle(ObstacleShape::Box { corners, stay }, 8.0, 0.6),
+    ]
+}
+
 /// The flocks of [`FULL`].
 fn flocks() -> Vec<Flock> {
     let rule = |weight, speed, limit| Rule {
@@ -270,9 +298,11 @@ fn flocks() -> Vec<Flock> {
         speed,
         limit,
     };
-    let relation = |other, radius, kind| Relation {
+    let relation = |other, radius, view_angle_degrees, nearest, kind| Relation {
         other,
         radius: Some(radius),
+        view_angle_degrees,
+        nearest: Some(nearest),
         kind,
     };
     let rules = RelationKind::Flock {
@@ -299,14 +329,24 @@ fn flocks() -> Vec<Flock> {
             max: [1.0, 2.0, 3.0],
         }),
         relations: vec![
-            relation(1, 12.0, rules),
-            relation(0, 7.0, RelationKind::Avoid { limit: 0.8 }),
-            relation(1, 8.0, RelationKind::Approach { limit: 0.9 }),
+            relation(1, 12.0, 270.0, 7, rules),
+            relation(0, 7.0, 180.0, 5, RelationKind::Avoid { limit: 0.8 }),
+            relation(1, 8.0, 90.0, 3, RelationKind::Approach { limit: 0.9 }),
         ],
+        goal: Some(Goal {
+            position: [7.0, 8.0, 9.0],
+            weight: 0.25,
+            speed: 3.0,
+            limit: 0.7,
+            slowing_radius: 11.0,
+        }),
+        obstacles: obstacles(),
+        drag: 0.25,
         shape: BoidShape::Disc,
         size: 4.0,
         color: [0.1, 0.2, 0.3],
         opacity: 0.6,
+        trail_frames: 12,
         mirrored: true,
     };
     // What is not written has the documented default.
@@ -325,10 +365,14 @@ fn flocks() -> Vec<Flock> {
         perception_radius: 60.0,
         edges: Edges::None,
         relations: vec![],
+        goal: None,
+        obstacles: vec![],
+        drag: 0.0,
         shape: BoidShape::Triangle,
         size: 3.0,
         color: [1.0; 3],
         opacity: 1.0,
+        trail_frames: 0,
         mirrored: false,
     };
     vec![prey, hunters]

@@ -71,7 +71,7 @@ fn the_examples_of_the_reference_page_are_right() {
     for block in blocks {
         let scene = match block {
             whole if whole.contains("[camera]") => accepted(whole),
-            // Of a flock: some edges, or a relation.
+            // Of a flock: some edges, a relation, an obstacle.
             lines if lines.starts_with("edges") => accepted(&format!("{MINIMAL}{FLOCK}{lines}")),
             // Of a fire: where its flames stand.
             lines if lines.starts_with("roots") => {
@@ -87,11 +87,17 @@ fn the_examples_of_the_reference_page_are_right() {
         kinds += scene.winds.len() + system.extinctions.len();
         kinds += usize::from(block.starts_with("generation_shape"));
         let flocks = scene.flocks.iter();
-        kinds += flocks.map(|flock| flock.relations.len()).sum::<usize>();
+        kinds += flocks
+            .map(|flock| flock.relations.len() + flock.obstacles.len())
+            .sum::<usize>();
         kinds += usize::from(block.starts_with("edges"));
         kinds += usize::from(block.starts_with("roots"));
     }
-    assert_eq!(kinds, 9 + 4 + 10 + 3 + 5 + 5, "each kind has an example");
+    assert_eq!(
+        kinds,
+        9 + 4 + 10 + 3 + 3 + 5 + 5,
+        "each kind has an example"
+    );
 }
 
 #[test]

@@ -188,15 +188,45 @@ edges = { kind = "wrap", min = [-1, -2, -3], max = [1, 2, 3] }
 shape = "disc"
 size = 4
 color = [0.1, 0.2, 0.3]
+drag = 0.25
 opacity = 0.6
+trail_frames = 12
 mirrored = true
 [flock.region]
 min = [0, 1, -2]
 max = [3, 4, 5]
+[flock.goal]
+position = [7, 8, 9]
+weight = 0.25
+speed = 3
+limit = 0.7
+slowing_radius = 11
+[[flock.obstacle]]
+kind = "sphere"
+center = [1, 2, -3]
+radius = 4
+stay = "inside"
+margin = 6
+limit = 0.9
+[[flock.obstacle]]
+kind = "plane"
+point = [0, -1, 2]
+normal = [3, 0, 1]
+margin = 7
+limit = 0.8
+[[flock.obstacle]]
+kind = "box"
+min = [-5, -4, -3]
+max = [2, 3, 4]
+stay = "inside"
+margin = 8
+limit = 0.6
 [[flock.relation]]
 kind = "flock"
 other = "hunters"
 radius = 12
+view_angle_degrees = 270
+nearest = 7
 separation_weight = 0.5
 separation_speed = 3
 separation_limit = 0.1
@@ -211,11 +241,15 @@ cohesion_limit = 0.6
 kind = "avoid"
 other = "flock"
 radius = 7
+view_angle_degrees = 180
+nearest = 5
 limit = 0.8
 [[flock.relation]]
 kind = "approach"
 other = "hunters"
 radius = 8
+view_angle_degrees = 90
+nearest = 3
 limit = 0.9
 [[flock]]
 name = "hunters"
@@ -416,6 +450,7 @@ pub(crate) fn fields_of(section: &str) -> &'static [Field] {
         Some(("edges", kind)) => (schema::EDGES, kind),
         Some(("roots", kind)) => (schema::ROOTS, kind),
         Some(("relation", kind)) => (schema::RELATIONS, kind),
+        Some(("obstacle", kind)) => (schema::OBSTACLES, kind),
         _ => {
             return match section {
                 "" => schema::SCENE,
@@ -425,6 +460,7 @@ pub(crate) fn fields_of(section: &str) -> &'static [Field] {
                 "system" => schema::SYSTEM,
                 "flock" => schema::FLOCK,
                 "region" => schema::REGION,
+                "goal" => schema::GOAL,
                 "fire" => schema::FIRE,
                 "flame" => schema::FLAME,
                 "ramp" => schema::RAMP,

@@ -1,7 +1,8 @@
-// boid_shapes: what boids look like: triangles along their headings, or discs.
+// boid_shapes: what boids look like: triangles or cones along their headings, or discs.
 //
 // The flocking article's render: a triangle whose pivot is a corner of its base, or an ellipse, and
-// for its Rorschach patterns each a second time, mirrored. One invocation a boid of the flock.
+// for its Rorschach patterns each a second time, mirrored at the picture's upright middle line. One
+// invocation a boid of the flock.
 // Reads: frame, flocks, counts, boids, layer_planes. Writes: covers, cover_counts (word 0: how many
 // records are of something, by atomic adds; word 2: how many there are of boids).
 // Invariant: records are in the order of identities, so that of equal depth who comes later is in
@@ -11,16 +12,24 @@
 #import motes::exact::{bits_of, cross3, dot3, less, normalize_exact}
 #import motes::reach::is_visible
 #import motes::layout::{
-    BOID_POINT, BOID_TRIANGLE, Boid, COVERS_OF_BOIDS, COVERS_SEEN, COVER_NONE, Counts, Cover, FlockFrame, Frame,
+    BOID_CONE, BOID_POINT, BOID_TRIANGLE, Boid, COVERS_OF_BOIDS, COVERS_SEEN, COVER_NONE, Counts,
+    Cover, FlockFrame, Frame,
 }
 #import motes::projection::project
-#import motes::shape::{Look, disc_of, triangle_of}
+#import motes::shape::{Look, cone_of, disc_of, mirrored, nothing_of, triangle_of}
 #import motes::sprite::next_layer
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
-// Whether the picture has layers; whether any flock is drawn as triangles.
+// Whether the picture has layers; whether any flock is drawn as triangles, as cones; whether any is
+// mirrored.
 const LAYERS: bool = #{LAYERS};
 const TRIANGLES: bool = #{TRIANGLES};
+const MIRRORS: bool = #{MIRRORS};
+const CONES: bool = #{CONES};
+// How far a cone's base and its apex are from its middle, in sizes: with a radius of half a size, as
+// motes::cover has its angle.
+const BASE_BEHIND: f32 = 0.75f;
+const APEX_AHEAD: f32 = 1.25f;
 
 struct Which {
     flock: u32,
@@ -45,43 +54,68 @@ fn layer_of(world: vec3<f32>) -> u32 {
     return select(layer, frame.layer_plane_count + 1u, layer == 0u);
 }
 
-fn no_cover() -> Cover {
-    return Cover(vec4<u32>(0u), vec4<u32>(0u, 0u, COVER_NONE, 0u), vec4<u32>(0u), vec4<u32>(0u));
+// Where a boid heads; who does not move, along x.
+fn forward_of(velocity: vec3<f32>) -> vec3<f32> {
+    let heading = normalize_exact(velocity);
+    let stands = bits_of(heading.x) | bits_of(heading.y) | bits_of(heading.z);
+    return select(heading, vec3<f32>(1.0f, 0.0f, 0.0f), stands == 0u);
+}
+
+// The cone of a boid; of nothing if an end is too near.
+fn cone(size: f32, position: vec3<f32>, velocity: vec3<f32>, look: Look) -> Cover {
+    let forward = forward_of(velocity);
+    let base = project(frame, position - forward * (BASE_BEHIND * size));
+    let apex = project(frame, position + forward * (APEX_AHEAD * size));
+    if less(base.depth, frame.near) || less(apex.depth, frame.near) {
+        return nothing_of();
+    }
+    let ahead = -dot3(frame.view_from_world_z.xyz, forward);
+    let surface = look.color;
+    let ambient = vec4<f32>(surface.xyz * frame.ambient_color.xyz, surface.w);
+    let lit = Look(look.depth, ambient, surface.xyz * frame.light_color.xyz);
+    let radius_px = 0.5f * size * base.scale;
+    return cone_of(vec2<f32>(base.x, base.y), vec2<f32>(apex.x, apex.y), radius_px, ahead, lit);
 }
 
 // The triangle of a boid; of nothing if a corner is too near.
 fn triangle(size: f32, position: vec3<f32>, velocity: vec3<f32>, look: Look) -> Cover {
-    let heading = normalize_exact(velocity);
-    // Who does not move heads along x.
-    let stands = bits_of(heading.x) | bits_of(heading.y) | bits_of(heading.z);
-    let forward = select(heading, vec3<f32>(1.0f, 0.0f, 0.0f), stands == 0u);
+    let forward = forward_of(velocity);
     let side = normalize_exact(cross3(forward, frame.view_from_world_z.xyz));
     let a = project(frame, position);
     let b = project(frame, position + side * size);
     let c = project(frame, position + side * (0.5f * size) + forward * (1.2f * size));
     if less(b.depth, frame.near) || less(c.depth, frame.near) {
-        return no_cover();
+        return nothing_of();
     }
     return triangle_of(vec2<f32>(a.x, a.y), vec2<f32>(b.x, b.y), vec2<f32>(c.x, c.y), look);
 }
 
-fn cover_of(flock: FlockFrame, boid: Boid, face: u32) -> Cover {
-    let mirror = vec3<f32>(select(1.0f, -1.0f, face == 1u), 1.0f, 1.0f);
-    let position = bitcast<vec3<f32>>(boid.position_and_flock.xyz) * mirror;
-    let velocity = bitcast<vec3<f32>>(boid.velocity_and_index.xyz) * mirror;
+fn cover_of(flock: FlockFrame, boid: Boid) -> Cover {
+    let position = bitcast<vec3<f32>>(boid.position_and_flock.xyz);
+    let velocity = bitcast<vec3<f32>>(boid.velocity_and_index.xyz);
     let seen = project(frame, position);
     let size = flock.cells_per_unit.w;
     let shape = flock.ties.w;
     let size_px = select(size * seen.scale, size, shape == BOID_POINT);
     let here = !LAYERS || frame.layer == 0u || layer_of(position) == frame.layer;
     if !here || !is_visible(frame, seen, seen, 2.0f * size_px) {
-        return no_cover();
+        return nothing_of();
     }
     let look = Look(seen.depth, flock.color, vec3<f32>(0.0f));
     if TRIANGLES && shape == BOID_TRIANGLE {
         return triangle(size, position, velocity, look);
     }
+    if CONES && shape == BOID_CONE {
+        return cone(size, position, velocity, look);
+    }
     return disc_of(seen.x, seen.y, 0.5f * size_px, 0.0f, look);
+}
+
+fn put(at: u32, cover: Cover) {
+    if cover.shape.z != COVER_NONE {
+        atomicAdd(&cover_counts[COVERS_SEEN], 1u);
+    }
+    covers[at] = cover;
 }
 
 @compute @workgroup_size(WORKGROUP_SIZE)
@@ -95,13 +129,16 @@ fn boid_shapes(@builtin(global_invocation_id) global_id: vec3<u32>) {
     if at == 0u {
         atomicAdd(&cover_counts[COVERS_OF_BOIDS], flock.members.y * faces);
     }
-    let boid = boids[flock.members.x + at];
+    if faces == 0u {
+        return;
+    }
+    let cover = cover_of(flock, boids[flock.members.x + at]);
     let first = counts.live + flock.drawn.x + at * faces;
-    for (var face = 0u; face < faces; face += 1u) {
-        let cover = cover_of(flock, boid, face);
-        if cover.shape.z != COVER_NONE {
-            atomicAdd(&cover_counts[COVERS_SEEN], 1u);
-        }
-        covers[first + face] = cover;
+    if MIRRORS && faces == 2u {
+        let both = mirrored(cover, frame);
+        put(first, both[0]);
+        put(first + 1u, both[1]);
+    } else {
+        put(first, cover);
     }
 }

@@ -6,7 +6,7 @@
 // Invariant: a pixel depends on the records that cover it and on their order alone, not on tiles or
 // rounds: what is kept between rounds is snapped after every record.
 
-#import motes::cover::{HIDDEN, Kinds, Layered, behind}
+#import motes::cover::{HIDDEN, Kinds, Layered, Spot, behind}
 #import motes::dispatch::linear_index
 #import motes::exact::{bits_of, less}
 #import motes::layout::{Cover, Frame}
@@ -17,6 +17,9 @@ const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 const RECTANGLES: bool = #{RECTANGLES};
 const STREAKS: bool = #{STREAKS};
 const TRIANGLES: bool = #{TRIANGLES};
+const CONES: bool = #{CONES};
+// Whether any is mirrored.
+const MIRRORS: bool = #{MIRRORS};
 
 var<immediate> tiling: Tiling;
 
@@ -62,7 +65,8 @@ fn cover(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let fours_across = tiling.tile_px / 4u;
     let x = i32((tile % tiling.across) * tiling.tile_px + (in_tile % fours_across) * 4u);
     let y = i32((tile / tiling.across) * tiling.tile_px + in_tile / fours_across);
-    let kinds = Kinds(RECTANGLES, STREAKS, TRIANGLES);
+    let kinds = Kinds(RECTANGLES, STREAKS, TRIANGLES, MIRRORS, CONES);
+    let width = i32(frame.width);
     let light_from = frame.light_from.xyz;
     var a = begun(x, y);
     var b = begun(x + 1, y);
@@ -78,10 +82,10 @@ fn cover(@builtin(global_invocation_id) global_id: vec3<u32>) {
             while bits != 0u {
                 let record = ranked_covers[word * 32u + firstTrailingBit(bits)];
                 bits &= bits - 1u;
-                a = behind(a, record, kinds, light_from, x, y);
-                b = behind(b, record, kinds, light_from, x + 1, y);
-                c = behind(c, record, kinds, light_from, x + 2, y);
-                d = behind(d, record, kinds, light_from, x + 3, y);
+                a = behind(a, record, kinds, light_from, Spot(x, y, width));
+                b = behind(b, record, kinds, light_from, Spot(x + 1, y, width));
+                c = behind(c, record, kinds, light_from, Spot(x + 2, y, width));
+                d = behind(d, record, kinds, light_from, Spot(x + 3, y, width));
             }
         }
     }

@@ -1,23 +1,43 @@
 // steer: each boid looks at those around it, steers and moves.
 //
 // Reynolds 1987 as the flocking article has it: separation, alignment and cohesion, avoidance and
-// attraction, then Particle.update and the edges. All see the state of the frame before, so that
-// the order of the boids does not matter. One invocation a boid of the flock, in sorted order.
-// Reads: flocks, relations, cell_starts, sorted_boids. Writes: boids.
-// Invariant: whoever is nearer than a relation's radius is looked at, and everybody at most once.
+// attraction, what drives boids besides each other, then Particle.update and the edges. All see the
+// state of the frame before, so that the order of the boids does not matter. One invocation a boid of
+// the flock, in sorted order.
+// Reads: frame, flocks, relations, obstacles, winds, cell_starts, sorted_boids. Writes: boids,
+// boid_trails.
+// Invariant: whoever is nearer than a relation's radius is looked at, and everybody at most once. Where
+// only the nearest count (Ballerini et al. 2008), who they are depends on distances and identities
+// alone.
 
 #import motes::boid::{Motion, moved}
 #import motes::dispatch::linear_index
-#import motes::exact::{bits_of, dot3, less}
+#import motes::exact::{bits_of, dot3, less, normalize_exact}
 #import motes::grid::{around, cell_index, gap_to, half_row, nearest_way, place_in_cells, span}
-#import motes::layout::{Boid, EDGES_TORUS, FlockFrame, Relation}
-#import motes::steering::{Perceived, answer, nothing, perceiving}
+#import motes::layout::{Boid, EDGES_TORUS, FlockFrame, Frame, MOST_NEAREST, Obstacle, Relation, Wind}
+#import motes::steering::{Perceived, answer, nothing, perceiving, sees}
+#import motes::urge::{kept_out, sought, turned_away}
+#import motes::wind::{Kinds, wind_of}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 // Whether boids may look at more others than loops of software drivers turn, 65,535.
 const CROWDS: bool = #{CROWDS};
 // Whether opposite edges of any flock are the same.
 const TORUS: bool = #{TORUS};
+// Whether any boids do not see all around; whether any see but the nearest; whether any have a goal,
+// obstacles, drag; what parts of the wind there are.
+const VIEWS: bool = #{VIEWS};
+const NEAREST: bool = #{NEAREST};
+const GOALS: bool = #{GOALS};
+const OBSTACLES: bool = #{OBSTACLES};
+const BLOWN: bool = #{BLOWN};
+const MANY_WINDS: bool = #{MANY_WINDS};
+const FLOWS: bool = #{FLOWS};
+const NOISES: bool = #{NOISES};
+const OCTAVES: bool = #{OCTAVES};
+const CURLS: bool = #{CURLS};
+// Whether any flock has trails.
+const TRAILS: bool = #{TRAILS};
 
 struct Which {
     flock: u32,
@@ -29,36 +49,83 @@ var<immediate> which: Which;
 @group(0) @binding(2) var<storage, read> cell_starts: array<u32>;
 @group(0) @binding(3) var<storage, read> sorted_boids: array<Boid>;
 @group(0) @binding(4) var<storage, read_write> boids: array<Boid>;
+@group(0) @binding(5) var<storage, read> obstacles: array<Obstacle>;
+@group(0) @binding(6) var<storage, read> winds: array<Wind>;
+@group(0) @binding(7) var<uniform> frame: Frame;
+@group(0) @binding(8) var<storage, read_write> boid_trails: array<vec4<u32>>;
 
 // Who looks, at whom and how.
 struct View {
     own: u32,
     motion: Motion,
+    heading: vec3<f32>,
     relation: Relation,
     other: FlockFrame,
 }
 
-// What is perceived with the boid at that sorted place, if it is near.
-fn visited(perceived: Perceived, view: View, at: u32) -> Perceived {
+// The nearest so far, from near to far: squared distance as bits, index in its flock, sorted place.
+// All ones for nobody. Straight code keeps them in order: software drivers count the turns of all loops.
+var<private> nearest: array<vec3<u32>, MOST_NEAREST>;
+
+// Who has to leave that place of the list, one place farther, where `who` is nearer than who stands there.
+fn placed(slot: u32, who: vec3<u32>) -> vec3<u32> {
+    let here = nearest[slot];
+    let is_nearer = who.x < here.x || (who.x == here.x && who.y < here.y);
+    nearest[slot] = select(here, who, is_nearer);
+    return select(who, here, is_nearer);
+}
+
+fn placed_in_four(first: u32, who: vec3<u32>) -> vec3<u32> {
+    let second = placed(first + 1u, placed(first, who));
+    return placed(first + 3u, placed(first + 2u, second));
+}
+
+fn keep_nearest(who: vec3<u32>, count: u32) {
+    let after_eight = placed_in_four(4u, placed_in_four(0u, who));
+    if count > 8u {
+        placed_in_four(12u, placed_in_four(8u, after_eight));
+    }
+}
+
+// The way to the boid at that sorted place.
+fn way_to(view: View, at: u32) -> vec3<f32> {
     let place = bitcast<vec3<f32>>(sorted_boids[at].position_and_flock.xyz);
     let straight = place - view.motion.position;
-    var offset = straight;
-    if TORUS {
-        let torus = view.other.torus;
-        let inverse = view.other.torus_inverse;
-        offset = vec3<f32>(
-            nearest_way(straight.x, torus.x, inverse.x),
-            nearest_way(straight.y, torus.y, inverse.y),
-            nearest_way(straight.z, torus.z, inverse.z),
-        );
+    if !TORUS {
+        return straight;
     }
+    let torus = view.other.torus;
+    let inverse = view.other.torus_inverse;
+    return vec3<f32>(
+        nearest_way(straight.x, torus.x, inverse.x),
+        nearest_way(straight.y, torus.y, inverse.y),
+        nearest_way(straight.z, torus.z, inverse.z),
+    );
+}
+
+// What is perceived with the boid at that sorted place.
+fn perceiving_at(perceived: Perceived, view: View, offset: vec3<f32>, squared: f32, at: u32) -> Perceived {
+    let velocity = bitcast<vec3<f32>>(sorted_boids[at].velocity_and_index.xyz);
+    let own = view.motion.velocity;
+    return perceiving(perceived, view.relation, view.other, offset, squared, own, velocity);
+}
+
+// The same, if it is near.
+fn visited(perceived: Perceived, view: View, at: u32) -> Perceived {
+    let offset = way_to(view, at);
     let squared = dot3(offset, offset);
     if at == view.own || !less(squared, view.relation.reach.x) {
         return perceived;
     }
-    let velocity = bitcast<vec3<f32>>(sorted_boids[at].velocity_and_index.xyz);
-    let own = view.motion.velocity;
-    return perceiving(perceived, view.relation, view.other, offset, squared, own, velocity);
+    if VIEWS && !sees(view.heading, offset, squared, view.relation) {
+        return perceived;
+    }
+    if NEAREST && view.relation.kinds.w > 0u {
+        let index = sorted_boids[at].velocity_and_index.w;
+        keep_nearest(vec3<u32>(bits_of(squared), index, at), view.relation.kinds.w);
+        return perceived;
+    }
+    return perceiving_at(perceived, view, offset, squared, at);
 }
 
 fn visited_four(perceived: Perceived, view: View, at: u32) -> Perceived {
@@ -97,6 +164,11 @@ fn look(view: View) -> Perceived {
     let along_y = span(place.y, reach * other.cells_per_unit.y, other.grid.y, wraps);
     let along_z = span(place.z, reach * other.cells_per_unit.z, other.grid.z, wraps);
     var perceived = nothing();
+    if NEAREST {
+        for (var slot = 0u; slot < MOST_NEAREST; slot += 1u) {
+            nearest[slot] = vec3<u32>(0xffffffffu);
+        }
+    }
     var y = along_y.first;
     var z = along_z.first;
     for (var row = along_y.count * along_z.count; row > 0i; row -= 1i) {
@@ -128,12 +200,36 @@ fn look(view: View) -> Perceived {
             z += 1i;
         }
     }
+    for (var slot = 0u; NEAREST && slot < view.relation.kinds.w; slot += 1u) {
+        let at = nearest[slot].z;
+        if at != 0xffffffffu {
+            let offset = way_to(view, at);
+            perceived = perceiving_at(perceived, view, offset, dot3(offset, offset), at);
+        }
+    }
     return perceived;
+}
+
+// What the wind adds to a velocity in a frame: a part of what it lacks of the wind's, in a plane
+// without depth.
+fn dragged(flock: FlockFrame, lone_wind: Wind, motion: Motion) -> vec3<f32> {
+    var flow = vec3<f32>(0.0f);
+    let has = Kinds(FLOWS, NOISES, OCTAVES, CURLS);
+    if MANY_WINDS {
+        for (var at = 0u; at < frame.wind_count; at += 1u) {
+            flow += wind_of(winds[at], motion.position, has);
+        }
+    } else if frame.wind_count == 1u {
+        flow = wind_of(lone_wind, motion.position, has);
+    }
+    flow.z = select(0.0f, flow.z, flock.ties.z == 1u);
+    return (flow - motion.velocity) * flock.goal_rule.w;
 }
 
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn steer(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let flock = flocks[which.flock];
+    let lone_wind = winds[0];
     let at = linear_index(global_id, WORKGROUP_SIZE);
     if at >= flock.members.y {
         return;
@@ -142,13 +238,31 @@ fn steer(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let position_bits = sorted_boids[own].position_and_flock;
     let velocity_bits = sorted_boids[own].velocity_and_index;
     let motion = Motion(bitcast<vec3<f32>>(position_bits.xyz), bitcast<vec3<f32>>(velocity_bits.xyz));
+    let heading = normalize_exact(motion.velocity);
     var acceleration = flock.acceleration.xyz;
     for (var tie = 0u; tie < flock.ties.y; tie += 1u) {
         let relation = relations[flock.ties.x + tie];
-        let view = View(own, motion, relation, flocks[relation.kinds.y]);
+        let view = View(own, motion, heading, relation, flocks[relation.kinds.y]);
         acceleration += answer(look(view), relation, motion.velocity, flock.acceleration.w);
     }
-    let next = moved(flock, motion, acceleration);
+    if GOALS && less(0.0f, flock.goal_rule.z) {
+        acceleration += sought(flock, motion);
+    }
+    let obstacles_end = flock.drawn.z + flock.drawn.w;
+    for (var obstacle = flock.drawn.z; OBSTACLES && obstacle < obstacles_end; obstacle += 1u) {
+        acceleration += turned_away(obstacles[obstacle], motion.position);
+    }
+    if BLOWN {
+        acceleration += dragged(flock, lone_wind, motion);
+    }
+    var next = moved(flock, motion, acceleration);
+    for (var obstacle = flock.drawn.z; OBSTACLES && obstacle < obstacles_end; obstacle += 1u) {
+        next = kept_out(obstacles[obstacle], next);
+    }
+    if TRAILS && flock.trail.z > 0u {
+        let ring = flock.trail.x + velocity_bits.w * (flock.trail.y + 1u);
+        boid_trails[ring + (frame.frame & flock.trail.y)] = vec4<u32>(position_bits.xyz, 0u);
+    }
     let place = next.position;
     let velocity = next.velocity;
     boids[flock.members.x + velocity_bits.w] = Boid(

@@ -3,18 +3,20 @@
 //
 // Porter and Duff, "Compositing digital images" (1984), from near to far: `clear` is how much of what
 // is behind shows through all that has come before. Discs and segments cover a pixel by the distance
-// of its centre, with an edge one pixel wide (motes::reach); squares and triangles by their area in
-// it. Spheres are lit as Lambert has it. Outside its bounds a primitive covers exactly nothing, so a
-// pixel does not depend on which others it is looked up with.
+// of its centre, with an edge one pixel wide (motes::reach), cones, too; squares and triangles by
+// their area in it. Spheres and cones are lit as Lambert has it. Outside its bounds a primitive covers exactly nothing, so a
+// pixel does not depend on which others it is looked up with. What is mirrored covers a pixel as its
+// original covers the one across the picture's upright middle line, bit for bit.
 // Reads and writes no buffers. Invariant: exact on every driver; twin of src/cpu/cover.rs.
 #define_import_path motes::cover
 
 #import motes::exact::{
-    clamp_exact, f32_of_i32, less, max_exact, min_exact, reciprocal, snap, snap3, square_root, to_i32,
+    clamp_exact, dot3, f32_of_i32, inverse_square_root, less, max_exact, min_exact, reciprocal, snap, snap3,
+    square_root, to_i32,
 }
 #import motes::reach::{center_of, overlap}
 #import motes::layout::{
-    COVER_NONE, COVER_SEGMENT, COVER_SOFT_DISC, COVER_SQUARE, COVER_TRIANGLE, Cover,
+    COVER_CONE, COVER_MIRRORED, COVER_NONE, COVER_SEGMENT, COVER_SOFT_DISC, COVER_SQUARE, COVER_TRIANGLE, COVER_TWIN, Cover,
 }
 
 // What shows less than this of itself is hidden.
@@ -27,12 +29,19 @@ const UPRIGHT: f32 = 0.00390625f;
 const FARTHEST: f32 = 1048576.0f;
 // A distance is wrong by less than this part of the largest number that it is made of.
 const ROUNDING: f32 = 0.0000038146973f;
+// Sine of the angle between a cone's axis and its side, as boids have it, and what it says of its cosine.
+const SINE_OF_CONE: f32 = 0.25f;
+const INVERSE_SQUARED_COSINE: f32 = 1.0666667f;
+// A cone ends here, in parts of its length.
+const NEXT_TO_APEX: f32 = 0.98f;
 
-// Which kinds there may be, discs apart.
+// Which kinds there may be, discs apart, and whether any of them is mirrored.
 struct Kinds {
     squares: bool,
     segments: bool,
     triangles: bool,
+    mirrors: bool,
+    cones: bool,
 }
 
 // A pixel on the way from near to far: light that is seen, and how much of the rest shows through.
@@ -48,12 +57,12 @@ fn far_to_near(cover: Cover) -> u32 {
     return select(~rising, 0u, cover.shape.z == COVER_NONE);
 }
 
-// First pixel and one past the last, across and down, that it may cover in a picture of that size.
-// Distances that are rounded may fall short, by less than the margin.
-fn bounds_of(cover: Cover, width: u32, height: u32) -> vec4<i32> {
+// First pixel and one past the last, across and down, that its shape may cover where it is, in a
+// picture of that size. Distances that are rounded may fall short, by less than the margin.
+fn bounds_here(cover: Cover, width: u32, height: u32) -> vec4<i32> {
     let points = bitcast<vec4<f32>>(cover.points);
     let shape = bitcast<vec2<f32>>(cover.shape.xy);
-    let is_segment = cover.shape.z == COVER_SEGMENT;
+    let is_segment = cover.shape.z == COVER_SEGMENT || cover.shape.z == COVER_CONE;
     let end = select(points.xy, points.zw, is_segment);
     let largest = max_exact(
         max_exact(abs(points.x), abs(points.y)),
@@ -74,6 +83,20 @@ fn bounds_of(cover: Cover, width: u32, height: u32) -> vec4<i32> {
         min(to_i32(clamp_exact(high.x, -FARTHEST, FARTHEST)) + 1, i32(width)),
         min(to_i32(clamp_exact(high.y, -FARTHEST, FARTHEST)) + 1, i32(height)),
     );
+}
+
+// The same wherever it is drawn.
+fn bounds_of(cover: Cover, width: u32, height: u32) -> vec4<i32> {
+    let here = bounds_here(cover, width, height);
+    let across = vec4<i32>(i32(width) - here.z, here.y, i32(width) - here.x, here.w);
+    let both = vec4<i32>(min(here.x, across.x), here.y, max(here.z, across.z), here.w);
+    let moved = select(here, across, cover.lit.w == COVER_MIRRORED);
+    return select(moved, both, cover.lit.w == COVER_TWIN);
+}
+
+// Whether what may cover so much of a picture of that width overlaps its mirror image.
+fn straddles(bounds: vec4<i32>, width: u32) -> bool {
+    return 2i * bounds.x < i32(width) && 2i * bounds.z > i32(width);
 }
 
 // The mean of x clamped to 0 .. 1, along a line from `a` to `b`.
@@ -129,6 +152,90 @@ fn distance_from(x: f32, y: f32, points: vec4<f32>) -> f32 {
     return square_root(ex * ex + ey * ey);
 }
 
+// A place as a cone has it, whose base has that radius: from its centre along its axis in the picture,
+// and to the right of it; how long the axis is there; sine and cosine of the angle between it and
+// the outline, 1 and 0 where nothing but the base is seen.
+struct InCone {
+    along: f32,
+    across: f32,
+    length: f32,
+    sine: f32,
+    cosine: f32,
+    // The axis.
+    way: vec2<f32>,
+}
+
+fn in_cone(points: vec4<f32>, radius: f32, x: f32, y: f32) -> InCone {
+    let axis = points.zw - points.xy;
+    let squared = axis.x * axis.x + axis.y * axis.y;
+    // Straight from or to the viewer, any.
+    let way = select(vec2<f32>(1.0f, 0.0f), axis * inverse_square_root(squared), less(0.0f, squared));
+    let dx = x - points.x;
+    let dy = y - points.y;
+    let length = square_root(squared);
+    let sine = select(1.0f, radius * reciprocal(length), less(radius, length));
+    return InCone(
+        dx * way.x + dy * way.y,
+        dy * way.x - dx * way.y,
+        length,
+        sine,
+        square_root(max_exact(1.0f - sine * sine, 0.0f)),
+        way,
+    );
+}
+
+// Whether the outline next to the place is that of the base.
+fn is_by_base(at: InCone) -> bool {
+    return !less(at.sine, 1.0f) || less(at.cosine * at.along, at.sine * abs(at.across));
+}
+
+// How far a place is outside a cone: of the hull of a disc and a point.
+fn distance_from_cone(points: vec4<f32>, radius: f32, x: f32, y: f32) -> f32 {
+    let at = in_cone(points, radius, x, y);
+    let aside = abs(at.across);
+    if is_by_base(at) {
+        return square_root(at.along * at.along + aside * aside) - radius;
+    }
+    if less(at.cosine * at.length, at.cosine * at.along - at.sine * aside) {
+        let beyond = at.along - at.length;
+        return square_root(beyond * beyond + aside * aside);
+    }
+    return at.cosine * aside + at.sine * at.along - radius;
+}
+
+// How straight the light falls on the cone that is seen in the pixel, 0 to 1. A cone is what balls fill
+// that shrink to nothing on their way from the base to the apex; the one that is seen there touches its
+// side, which tells it by the root of a square. Lengths are parts of the cone's.
+fn light_on_cone(cover: Cover, light_from: vec3<f32>, x: f32, y: f32) -> f32 {
+    let points = bitcast<vec4<f32>>(cover.points);
+    let radius = bitcast<f32>(cover.shape.x) - 0.5f;
+    let is_ahead = !less(bitcast<f32>(cover.shape.y), 0.0f);
+    let at = in_cone(points, radius, x, y);
+    let part_of_px = SINE_OF_CONE * reciprocal(radius);
+    let slant = min_exact(at.length * part_of_px, 1.0f);
+    let along = at.along * part_of_px;
+    let across = at.across * part_of_px;
+    let e = SINE_OF_CONE * SINE_OF_CONE - slant * along;
+    let f = slant * slant - SINE_OF_CONE * SINE_OF_CONE;
+    let aside = SINE_OF_CONE * SINE_OF_CONE - across * across - along * along;
+    let k = ((1.0f - slant * slant) * aside - e * e) * INVERSE_SQUARED_COSINE;
+    let root = square_root(max_exact(e * e + f * k, 0.0f));
+    var t = select((root - e) * reciprocal(f), k * reciprocal(e + root), less(0.0f, e));
+    if !is_ahead {
+        t = select(0.0f, k * reciprocal(e - root), less(e, 0.0f));
+    }
+    // Beyond the apex; and on the base, which is a ball.
+    t = select(t, select(0.0f, NEXT_TO_APEX, less(0.0f, f)), less(NEXT_TO_APEX, t));
+    t = max_exact(t, 0.0f);
+    let inverse = reciprocal(SINE_OF_CONE * (1.0f - t));
+    let ahead = (along - slant * t) * inverse;
+    let right = across * inverse;
+    let toward = square_root(max_exact(1.0f - ahead * ahead - right * right, 0.0f));
+    // In the space of the light y goes up.
+    let normal = vec3<f32>(at.way.x * ahead - at.way.y * right, -at.way.y * ahead - at.way.x * right, toward);
+    return clamp_exact(dot3(normal, light_from), 0.0f, 1.0f);
+}
+
 // How much of the pixel it covers, 0 to 1.
 fn coverage_at(cover: Cover, kinds: Kinds, x: i32, y: i32) -> f32 {
     let points = bitcast<vec4<f32>>(cover.points);
@@ -143,6 +250,10 @@ fn coverage_at(cover: Cover, kinds: Kinds, x: i32, y: i32) -> f32 {
     if kinds.triangles && kind == COVER_TRIANGLE {
         let corner = vec2<f32>(f32_of_i32(x), f32_of_i32(y));
         return triangle_area(points.xy - corner, points.zw - corner, shape - corner);
+    }
+    if kinds.cones && kind == COVER_CONE {
+        let outside = distance_from_cone(points, shape.x - 0.5f, center_x, center_y);
+        return clamp_exact(0.5f - outside, 0.0f, 1.0f);
     }
     var distance: f32;
     if kinds.segments && kind == COVER_SEGMENT {
@@ -167,13 +278,49 @@ fn light_on(cover: Cover, light_from: vec3<f32>, x: i32, y: i32) -> f32 {
     return clamp_exact(right * light_from.x + up * light_from.y + toward * light_from.z, 0.0f, 1.0f);
 }
 
+// Where a pixel is, and how wide the picture.
+struct Spot {
+    x: i32,
+    y: i32,
+    width: i32,
+}
+
+// How much of what is behind it hides in the pixel, 0 to 1, and how straight the light falls on it.
+struct Part {
+    alpha: f32,
+    light: f32,
+}
+
+fn part_here(cover: Cover, kinds: Kinds, light_from: vec3<f32>, x: i32, y: i32) -> Part {
+    let alpha = snap(bitcast<f32>(cover.color.w) * coverage_at(cover, kinds, x, y));
+    if kinds.cones && cover.shape.z == COVER_CONE {
+        return Part(alpha, light_on_cone(cover, light_from, f32_of_i32(x) + 0.5f, f32_of_i32(y) + 0.5f));
+    }
+    return Part(alpha, light_on(cover, light_from, x, y));
+}
+
+// The same wherever it is drawn. Two that overlap are the same whichever is in front.
+fn part_at(cover: Cover, kinds: Kinds, light_from: vec3<f32>, spot: Spot) -> Part {
+    let across = spot.width - 1i - spot.x;
+    let is_across = kinds.mirrors && cover.lit.w == COVER_MIRRORED;
+    let own = part_here(cover, kinds, light_from, select(spot.x, across, is_across), spot.y);
+    if !kinds.mirrors || cover.lit.w != COVER_TWIN {
+        return own;
+    }
+    let other = part_here(cover, kinds, light_from, across, spot.y);
+    let sum = own.alpha + other.alpha;
+    let light = (own.alpha * own.light + other.alpha * other.light) * reciprocal(sum);
+    return Part(snap(sum - own.alpha * other.alpha), light);
+}
+
 // The pixel with `cover` behind what it has so far.
-fn behind(above: Layered, cover: Cover, kinds: Kinds, light_from: vec3<f32>, x: i32, y: i32) -> Layered {
+fn behind(above: Layered, cover: Cover, kinds: Kinds, light_from: vec3<f32>, spot: Spot) -> Layered {
     let color = bitcast<vec4<f32>>(cover.color);
     let lit = bitcast<vec3<f32>>(cover.lit.xyz);
-    let alpha = snap(color.w * coverage_at(cover, kinds, x, y));
+    let part = part_at(cover, kinds, light_from, spot);
+    let alpha = part.alpha;
     let seen = select(above.clear * alpha, 0.0f, less(above.clear, HIDDEN));
-    let look = color.xyz + lit * light_on(cover, light_from, x, y);
+    let look = color.xyz + lit * part.light;
     let clear = select(above.clear * (1.0f - alpha), above.clear, less(above.clear, HIDDEN));
     return Layered(snap3(above.color + look * seen), snap(clear));
 }

@@ -111,16 +111,19 @@ const SYSTEM_BEARS_SYSTEMS: u32 = 8u;
 // Something that covers what is behind it, as it is seen: a family's shapes stage writes one for
 // each that it has, in the order of their identities. Floats are bits.
 struct Cover {
-    // x and y in pixels of two points: a triangle's first two corners, a segment's ends; a disc's
-    // or square's centre, then for shading the reciprocal of a disc's radius.
+    // x and y in pixels of two points: a triangle's first two corners, a segment's ends, the centre
+    // of a cone's base and its apex; a disc's or square's centre, then for shading the reciprocal of
+    // a disc's radius.
     points: vec4<u32>,
     // A triangle's third corner. Of a disc or segment, how far it reaches from its centre or axis,
-    // pixels, and the reciprocal of its edge's width; of a square, half its width. Then what it is
+    // pixels, and the reciprocal of its edge's width; of a square, half its width; of a cone, how far
+    // its base reaches, and how much its axis points to the viewer, -1 to 1. Then what it is
     // (COVER_...), and its depth along the view axis.
     shape: vec4<u32>,
     // Colour in red, green, blue, before exposure; alpha, 0 to 1.
     color: vec4<u32>,
-    // What the light adds to the colour of a sphere where it falls straight; w unused.
+    // What the light adds to the colour of a sphere where it falls straight; on which side of the
+    // picture it is drawn (COVER_PLAIN and what follows it).
     lit: vec4<u32>,
 }
 
@@ -130,13 +133,19 @@ const COVERS_SEEN: u32 = 0u;
 const COVERS_OF_PARTICLES: u32 = 1u;
 const COVERS_OF_BOIDS: u32 = 2u;
 // Cover.shape.z: nothing, a disc, a disc with a smooth edge of its own width, a square along the
-// axes, a segment with round ends, a triangle.
+// axes, a segment with round ends, a triangle, a cone with a round base.
 const COVER_NONE: u32 = 0u;
 const COVER_DISC: u32 = 1u;
 const COVER_SOFT_DISC: u32 = 2u;
 const COVER_SQUARE: u32 = 3u;
 const COVER_SEGMENT: u32 = 4u;
 const COVER_TRIANGLE: u32 = 5u;
+const COVER_CONE: u32 = 6u;
+// Cover.lit.w: drawn where it is; at the other side of the picture, mirrored; at both sides at once,
+// which overlap.
+const COVER_PLAIN: u32 = 0u;
+const COVER_MIRRORED: u32 = 1u;
+const COVER_TWIN: u32 = 2u;
 
 // What ends particles that come where they should not be, in world space.
 struct Bound {
@@ -305,13 +314,23 @@ struct FlockFrame {
     cell_extent: vec4<f32>,
     // Red, green, blue, opacity.
     color: vec4<f32>,
+    // Where to; w: inverse of the radius where boids slow down, 0 for none.
+    goal: vec4<f32>,
+    // Weight, speed, limit, which is 0 where there is no goal; w: drag.
+    goal_rule: vec4<f32>,
     // Cells along x, y, z; the first one among those of all flocks.
     grid: vec4<u32>,
     // First boid, how many, the flock's key, EDGES_....
     members: vec4<u32>,
     // First relation, how many, 1 for headings in space, BOID_....
     ties: vec4<u32>,
-    // First record of what covers, among those of boids, and how many a boid has.
+    // First place of its boids' trails; length of the ring of each, less 1; segments that are drawn;
+    // first record of these, among those of boids.
+    trail: vec4<u32>,
+    // How much fainter each segment is; width of the first, in sizes; square of what is a jump.
+    trail_look: vec4<f32>,
+    // First record of what covers, among those of boids, and how many a boid has; first obstacle, how
+    // many.
     drawn: vec4<u32>,
 }
 
@@ -325,10 +344,12 @@ const EDGES_TORUS: u32 = 4u;
 const BOID_TRIANGLE: u32 = 0u;
 const BOID_DISC: u32 = 1u;
 const BOID_POINT: u32 = 2u;
+const BOID_CONE: u32 = 3u;
 
 // What one flock makes of another.
 struct Relation {
-    // RELATION_..., slot of the other flock, 1 if separation counts near ones more.
+    // RELATION_..., slot of the other flock, 1 if separation counts near ones more, how many are seen at
+    // most, the nearest, or 0 for all.
     kinds: vec4<u32>,
     // Squared radius, radius, steps of the sums of offsets, of those of pushes.
     reach: vec4<f32>,
@@ -337,7 +358,29 @@ struct Relation {
     // w: unit of pushes.
     alignment: vec4<f32>,
     cohesion: vec4<f32>,
+    // cos |cos| of half the angle of view, below -1 for all around.
+    sight: vec4<f32>,
 }
+
+// What boids of a flock turn away from, and never enter.
+struct Obstacle {
+    // OBSTACLE_..., 1 if boids stay inside.
+    kinds: vec4<u32>,
+    // Centre and radius of a ball, unit normal and distance of a plane, centre of a box.
+    place: vec4<f32>,
+    // Half the extents of a box.
+    extent: vec4<f32>,
+    // Inverse of the margin where boids turn away, most that they accelerate.
+    push: vec4<f32>,
+}
+
+// Relation.kinds.w at most.
+const MOST_NEAREST: u32 = 16u;
+
+// Obstacle.kinds.x.
+const OBSTACLE_SPHERE: u32 = 0u;
+const OBSTACLE_PLANE: u32 = 1u;
+const OBSTACLE_BOX: u32 = 2u;
 
 // Relation.kinds.x.
 const RELATION_FLOCK: u32 = 0u;

@@ -5,13 +5,15 @@
 // sign; twin of src/cpu/shape.rs.
 #define_import_path motes::shape
 
+#import motes::cover::{bounds_here, straddles}
 #import motes::exact::{
     bits_of, clamp_exact, f32_of_i32, less, max_exact, min_exact, reciprocal, square_root, to_i32,
 }
 #import motes::footprint::LARGE_RADIUS_PX
 #import motes::reach::{PI, edged_radius}
 #import motes::layout::{
-    COVER_DISC, COVER_SEGMENT, COVER_SOFT_DISC, COVER_SQUARE, COVER_TRIANGLE, Cover,
+    COVER_CONE, COVER_DISC, COVER_MIRRORED, COVER_NONE, COVER_SEGMENT, COVER_SOFT_DISC, COVER_SQUARE,
+    COVER_TRIANGLE, COVER_TWIN, Cover, Frame,
 }
 
 // What a shape looks like: its depth along the view axis, its colour and alpha, and what the light
@@ -91,4 +93,38 @@ fn segment_of(begin: vec2<f32>, end: vec2<f32>, half_px: f32, look: Look) -> Cov
 // A triangle, its corners in either order.
 fn triangle_of(a: vec2<f32>, b: vec2<f32>, c: vec2<f32>, look: Look) -> Cover {
     return record(COVER_TRIANGLE, vec4<f32>(a, b), c, look.color.w, look);
+}
+
+// A cone with a round base of that radius around its centre, `ahead` how much its axis points to the
+// viewer; what is thinner than a pixel is that much clearer.
+fn cone_of(base: vec2<f32>, apex: vec2<f32>, radius_px: f32, ahead: f32, look: Look) -> Cover {
+    let part = min_exact(2.0f * radius_px, 1.0f);
+    return record(
+        COVER_CONE,
+        vec4<f32>(base, apex),
+        vec2<f32>(max_exact(radius_px, 0.5f) + 0.5f, ahead),
+        look.color.w * part * part,
+        look,
+    );
+}
+
+fn nothing_of() -> Cover {
+    return Cover(vec4<u32>(0u), vec4<u32>(0u, 0u, COVER_NONE, 0u), vec4<u32>(0u), vec4<u32>(0u));
+}
+
+// The two records of what is mirrored: it and its mirror image or, where they overlap, both in one, for
+// neither may be in front of the other, and nothing.
+fn mirrored(cover: Cover, view: Frame) -> array<Cover, 2> {
+    if cover.shape.z == COVER_NONE {
+        return array<Cover, 2>(cover, cover);
+    }
+    var own = cover;
+    var other = cover;
+    if straddles(bounds_here(cover, view.width, view.height), view.width) {
+        own.lit.w = COVER_TWIN;
+        other = nothing_of();
+    } else {
+        other.lit.w = COVER_MIRRORED;
+    }
+    return array<Cover, 2>(own, other);
 }

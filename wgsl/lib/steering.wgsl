@@ -5,7 +5,7 @@
 #define_import_path motes::steering
 
 #import motes::boid::limited
-#import motes::exact::{f32_of_u32, inverse_square_root, min_exact, normalize_exact, to_i32}
+#import motes::exact::{dot3, f32_of_u32, inverse_square_root, less, min_exact, normalize_exact, to_i32}
 #import motes::layout::{FlockFrame, RELATION_AVOID, RELATION_FLOCK, Relation, SUM_STEPS}
 
 // Inverse of SUM_STEPS.
@@ -61,6 +61,14 @@ fn values_of(sum: Sum) -> vec3<f32> {
         value_of(sum.low.y, sum.high.y),
         value_of(sum.low.z, sum.high.z),
     );
+}
+
+// Whether one that goes that way sees what the offset leads to, of that squared length; who does not
+// move sees all around.
+fn sees(heading: vec3<f32>, offset: vec3<f32>, squared: f32, relation: Relation) -> bool {
+    let ahead = dot3(heading, offset);
+    let moves = less(0.0f, dot3(heading, heading));
+    return !moves || !less(ahead * abs(ahead), relation.sight.x * squared);
 }
 
 // What is perceived with one more: `offset` leads to it, of that squared length; `own` is the

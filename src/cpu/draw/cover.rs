@@ -8,7 +8,7 @@ use std::ops::Range;
 use glam::Vec3;
 use rayon::prelude::*;
 
-use crate::cpu::cover::{Layered, behind, bounds_of, far_to_near};
+use crate::cpu::cover::{Layered, Spot, behind, bounds_of, far_to_near};
 use crate::exact::bits_of;
 use crate::layout::{COVER_NONE, Cover, Frame};
 
@@ -63,7 +63,8 @@ fn painted(
             for x in *left..*right {
                 let pixel = &mut pixels[row + x as usize];
                 if !pixel.is_closed() {
-                    *pixel = behind(*pixel, cover, light_from, x, y);
+                    let width = width as i32;
+                    *pixel = behind(*pixel, cover, light_from, Spot { x, y, width });
                 }
             }
         }

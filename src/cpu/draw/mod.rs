@@ -1,6 +1,7 @@
 //! Stages of drawing.
 
 pub mod boid_shapes;
+pub mod boid_trails;
 pub mod cover;
 pub mod flame_discs;
 pub mod glow;

@@ -4,18 +4,30 @@ pub mod cells;
 pub mod hatch;
 pub mod steer;
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
 use crate::backend::{BackendError, try_zeroed};
 use crate::cpu::draw::boid_shapes::boid_shapes;
-use crate::layout::{Boid, Cover};
+use crate::cpu::draw::boid_trails::boid_trails;
+use crate::layout::{Boid, Cover, FlockFrame};
 use crate::plan::{FrameInputs, Plan};
+
+/// The places of a boid's trail among those of all.
+fn ring_of(flock: &FlockFrame, boid: &Boid) -> Range<usize> {
+    let [first, mask, ..] = flock.trail.map(|word| word as usize);
+    let ring = first + boid.index() as usize * (mask + 1);
+    ring..ring + mask + 1
+}
 
 /// All flocks of a run.
 #[derive(Debug)]
 pub(super) struct Flocks {
     /// In the order of flocks and of indices.
     pub(super) boids: Vec<Boid>,
+    /// Where those that have trails have been: rings, in the same order.
+    pub(super) trails: Vec<[u32; 4]>,
     /// The cell of each.
     pub(super) cells: Vec<u32>,
     /// How many boids stand before each cell, and how many there are.
@@ -29,6 +41,7 @@ impl Flocks {
         let boids = plan.boid_count as usize;
         Ok(Self {
             boids: try_zeroed(boids, "boids")?,
+            trails: try_zeroed(plan.boid_trail_count as usize, "boids' trails")?,
             cells: try_zeroed(boids, "boids' cells")?,
             starts: try_zeroed(plan.cell_count as usize + 1, "grid cells")?,
             sorted: try_zeroed(boids, "sorted boids")?,
@@ -44,6 +57,13 @@ impl Flocks {
                 .for_each(|(index, boid)| {
                     *boid = hatch::hatch(flock, slot as u32, index as u32);
                 });
+            if flock.trail[2] > 0 {
+                for boid in &self.boids[first..first + count] {
+                    // It has never been elsewhere.
+                    let [x, y, z, _] = boid.position_and_flock;
+                    self.trails[ring_of(flock, boid)].fill([x, y, z, 0]);
+                }
+            }
         }
     }
 
@@ -58,20 +78,21 @@ impl Flocks {
         cells::sort(&self.boids, &self.cells, &mut self.starts, &mut self.sorted);
     }
 
-    /// Adds the boids' records of what covers.
+    /// Adds the boids' records of what covers, and those of their trails.
     pub(super) fn shapes(&self, inputs: &FrameInputs, covers: &mut Vec<Cover>) {
-        let of_boid = |boid: &Boid| {
-            let flock = &inputs.flocks[boid.flock() as usize];
-            let faces = 0..flock.drawn[1];
-            let record = |face| boid_shapes(flock, boid, face, inputs);
-            faces.map(record).collect::<Vec<_>>()
-        };
-        covers.par_extend(
-            self.boids
-                .par_iter()
-                .with_min_len(1024)
-                .flat_map_iter(of_boid),
-        );
+        for flock in &inputs.flocks {
+            let [first, count, ..] = flock.members.map(|word| word as usize);
+            let boids = || {
+                let own = &self.boids[first..first + count];
+                own.par_iter().with_min_len(1024)
+            };
+            if flock.trail[2] > 0 {
+                let trail = |boid| boid_trails(flock, boid, &self.trails, inputs);
+                covers.par_extend(boids().flat_map_iter(trail));
+            }
+            let of_boid = |boid| boid_shapes(flock, boid, inputs);
+            covers.par_extend(boids().flat_map_iter(of_boid));
+        }
     }
 
     pub(super) fn steer(&mut self, inputs: &FrameInputs) {
@@ -82,8 +103,15 @@ impl Flocks {
             .map(|own| steer::steer(inputs, starts, sorted, own))
             .collect();
         for boid in moved {
-            let [first, ..] = inputs.flocks[boid.flock() as usize].members;
-            self.boids[(first + boid.index()) as usize] = boid;
+            let flock = &inputs.flocks[boid.flock() as usize];
+            let [first, ..] = flock.members;
+            let before = &mut self.boids[(first + boid.index()) as usize];
+            if flock.trail[2] > 0 {
+                let [x, y, z, _] = before.position_and_flock;
+                let slot = (inputs.frame.frame & flock.trail[1]) as usize;
+                self.trails[ring_of(flock, &boid)][slot] = [x, y, z, 0];
+            }
+            *before = boid;
         }
     }
 }

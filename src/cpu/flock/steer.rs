@@ -6,23 +6,26 @@ use glam::Vec3;
 
 use crate::cpu::boid::{Motion, moved};
 use crate::cpu::grid::{around, cell_index, gap_to, half_row, nearest_way, place_in_cells, span};
-use crate::cpu::steering::{Neighbour, Perceived, answer, perceiving};
-use crate::exact::{bits_of, dot3, less};
-use crate::layout::{Boid, EDGES_TORUS, FlockFrame, Relation};
+use crate::cpu::steering::{Neighbour, Perceived, answer, perceiving, sees};
+use crate::cpu::urge::{kept_out, sought, turned_away};
+use crate::cpu::wind::wind_at;
+use crate::exact::{bits_of, dot3, less, normalize_exact};
+use crate::layout::{Boid, EDGES_TORUS, FlockFrame, Relation, Wind};
 use crate::plan::FrameInputs;
 
 /// Who looks, at whom and how.
 struct View<'a> {
     own: usize,
     motion: Motion,
+    heading: Vec3,
     relation: &'a Relation,
     other: &'a FlockFrame,
     starts: &'a [u32],
     sorted: &'a [Boid],
 }
 
-/// What is perceived with the boid at that sorted place, if it is near.
-fn visited(perceived: Perceived, view: &View, at: usize) -> Perceived {
+/// The boid at that sorted place, and the way to it, if it is near and seen.
+fn noticed(view: &View, at: usize) -> Option<Neighbour> {
     let boid = &view.sorted[at];
     let straight = Vec3::from(boid.position()) - view.motion.position;
     let (torus, inverse) = (view.other.torus, view.other.torus_inverse);
@@ -33,15 +36,14 @@ fn visited(perceived: Perceived, view: &View, at: usize) -> Perceived {
     );
     let squared = dot3(offset, offset);
     if at == view.own || !less(squared, view.relation.reach[0]) {
-        return perceived;
+        return None;
     }
-    let neighbour = Neighbour {
+    let seen = sees(view.heading, offset, squared, view.relation);
+    seen.then(|| Neighbour {
         offset,
         squared,
         velocity: boid.velocity().into(),
-    };
-    let own = view.motion.velocity;
-    perceiving(perceived, view.relation, view.other, neighbour, own)
+    })
 }
 
 /// The sorted places of a row's cells from x = first on, so many.
@@ -102,19 +104,48 @@ pub fn each_range(
 /// All that a boid perceives of a flock.
 fn look(view: &View) -> Perceived {
     let reach = view.relation.cohesion[3];
+    let with = |perceived, neighbour| {
+        let own = view.motion.velocity;
+        perceiving(perceived, view.relation, view.other, neighbour, own)
+    };
+    let most = view.relation.kinds[3] as usize;
+    let position = view.motion.position;
     let mut perceived = Perceived::default();
-    each_range(
-        view.other,
-        view.starts,
-        view.motion.position,
-        reach,
-        |range| {
-            for at in range {
-                perceived = visited(perceived, view, at);
+    if most == 0 {
+        each_range(view.other, view.starts, position, reach, |range| {
+            for neighbour in range.filter_map(|at| noticed(view, at)) {
+                perceived = with(perceived, neighbour);
             }
-        },
-    );
-    perceived
+        });
+        return perceived;
+    }
+    let mut all = Vec::new();
+    each_range(view.other, view.starts, position, reach, |range| {
+        let near = range.filter_map(|at| {
+            let neighbour = noticed(view, at)?;
+            let rank = (bits_of(neighbour.squared), view.sorted[at].index());
+            Some((rank, neighbour))
+        });
+        all.extend(near);
+    });
+    if all.len() > most {
+        all.select_nth_unstable_by_key(most - 1, |(rank, _)| *rank);
+        all.truncate(most);
+    }
+    all.into_iter()
+        .fold(perceived, |perceived, (_, neighbour)| {
+            with(perceived, neighbour)
+        })
+}
+
+/// What the wind adds to a velocity in a frame: a part of what it lacks of the wind's, in a plane
+/// without depth.
+fn dragged(flock: &FlockFrame, winds: &[Wind], motion: Motion) -> Vec3 {
+    let mut flow = wind_at(winds, motion.position);
+    if flock.ties[2] != 1 {
+        flow.z = 0.0;
+    }
+    (flow - motion.velocity) * Vec3::splat(flock.goal_rule[3])
 }
 
 /// The boid at the sorted place `own`, a frame later.
@@ -126,12 +157,14 @@ pub fn steer(inputs: &FrameInputs, starts: &[u32], sorted: &[Boid], own: usize) 
         position: boid.position().into(),
         velocity: boid.velocity().into(),
     };
+    let heading = normalize_exact(motion.velocity);
     let mut acceleration = Vec3::from_slice(&flock.acceleration);
     let [first, count, ..] = flock.ties.map(|word| word as usize);
     for relation in &inputs.relations[first..first + count] {
         let view = View {
             own,
             motion,
+            heading,
             relation,
             other: &inputs.flocks[relation.kinds[1] as usize],
             starts,
@@ -140,7 +173,22 @@ pub fn steer(inputs: &FrameInputs, starts: &[u32], sorted: &[Boid], own: usize) 
         let perceived = look(&view);
         acceleration += answer(&perceived, relation, motion.velocity, flock.acceleration[3]);
     }
-    let next = moved(flock, motion, acceleration);
+    if less(0.0, flock.goal_rule[2]) {
+        acceleration += sought(flock, motion);
+    }
+    let [_, _, first, count] = flock.drawn.map(|word| word as usize);
+    let obstacles = &inputs.obstacles[first..first + count];
+    for obstacle in obstacles {
+        acceleration += turned_away(obstacle, motion.position);
+    }
+    // Without drag there is nothing to add.
+    if flock.goal_rule[3] != 0.0 {
+        acceleration += dragged(flock, &inputs.winds, motion);
+    }
+    let mut next = moved(flock, motion, acceleration);
+    for obstacle in obstacles {
+        next = kept_out(obstacle, next);
+    }
     let [x, y, z] = next.position.to_array().map(bits_of);
     let [vx, vy, vz] = next.velocity.to_array().map(bits_of);
     Boid {

@@ -71,6 +71,14 @@ pub(super) const SWITCHES: &[&str] = &[
     "TORUS",
     "COVERS",
     "TRIANGLES",
+    "MIRRORS",
+    "CONES",
+    "TRAILS",
+    "VIEWS",
+    "NEAREST",
+    "GOALS",
+    "OBSTACLES",
+    "BLOWN",
 ];
 
 /// A composed and validated module.

@@ -1,7 +1,7 @@
 //! Checks of flocks.
 
 use crate::scene::read::Spot;
-use crate::scene::{Corners, Dimensions, Edges, Flock, SceneError};
+use crate::scene::{Corners, Dimensions, Edges, Flock, ObstacleShape, SceneError};
 
 /// Boids of all flocks at most, and boids that one looks at: more turns than those take has no loop
 /// of a software driver.
@@ -16,6 +16,7 @@ pub(in crate::scene) fn boids(flocks: &[Flock], spot: &Spot<'_>) -> Result<(), S
         return Err(spot.node.at.error(what, help));
     }
     for flock in flocks {
+        upright_planes(flock, spot)?;
         let others = flock
             .relations
             .iter()
@@ -54,6 +55,27 @@ pub(in crate::scene) fn boids(flocks: &[Flock], spot: &Spot<'_>) -> Result<(), S
                 let help = format!("a radius of at most half of that, {}", 0.5 * least);
                 return Err(spot.node.at.error(what, help));
             }
+        }
+    }
+    Ok(())
+}
+
+/// Planes that boids without depth are kept from cross theirs.
+fn upright_planes(flock: &Flock, spot: &Spot<'_>) -> Result<(), SceneError> {
+    for (at, obstacle) in flock.obstacles.iter().enumerate() {
+        let ObstacleShape::Plane {
+            normal: [x, y, _], ..
+        } = obstacle.shape
+        else {
+            continue;
+        };
+        if flock.dimensions == Dimensions::Two && x == 0.0 && y == 0.0 {
+            let what = format!(
+                "`flock.{}.obstacle.{at}` is a plane that boids without depth never cross",
+                flock.name
+            );
+            let help = "a `normal` with an x or a y, or a flock with `dimensions = 3`";
+            return Err(spot.node.at.error(what, help));
         }
     }
     Ok(())

@@ -2,10 +2,11 @@
 
 use crate::scene::check;
 use crate::scene::read::{Reader, Spot};
-use crate::scene::schema::{FLOCK, REGION};
+use crate::scene::schema::{FLOCK, GOAL, REGION};
 use crate::scene::values::{Quantity, choice, flag, list, text, variant, whole32};
 use crate::scene::{
-    BoidShape, Corners, Dimensions, Edges, Flock, Relation, RelationKind, Rule, SceneError,
+    BoidShape, Corners, Dimensions, Edges, Flock, Goal, Obstacle, ObstacleShape, Relation,
+    RelationKind, Rule, SceneError, Side,
 };
 
 /// Reads all flocks: a relation may be to one that comes later.
@@ -25,7 +26,12 @@ fn flock(index: usize, spot: &Spot<'_>, names: &[String]) -> Result<Flock, Scene
         _ => format!("flock.{index}"),
     };
     let table = Reader::new(path, FLOCK, spot.node)?;
-    let shapes = [BoidShape::Triangle, BoidShape::Disc, BoidShape::Point];
+    let shapes = [
+        BoidShape::Triangle,
+        BoidShape::Disc,
+        BoidShape::Point,
+        BoidShape::Cone,
+    ];
     Ok(Flock {
         name: table.must("name", text)?,
         count: table.must("count", whole32)?,
@@ -45,10 +51,14 @@ fn flock(index: usize, spot: &Spot<'_>, names: &[String]) -> Result<Flock, Scene
         relations: table.must("relation", |spot| {
             list(spot, |_, spot| relation(index, spot, names))
         })?,
+        goal: table.may("goal", goal)?,
+        obstacles: table.must("obstacle", |spot| list(spot, |_, spot| obstacle(spot)))?,
+        drag: table.must("drag", Quantity::read)?,
         shape: shapes[table.must("shape", choice)?],
         size: table.must("size", Quantity::read)?,
         color: table.must("color", Quantity::read)?,
         opacity: table.must("opacity", Quantity::read)?,
+        trail_frames: table.must("trail_frames", whole32)?,
         mirrored: table.must("mirrored", flag)?,
     })
 }
@@ -76,6 +86,42 @@ fn edges(spot: &Spot<'_>) -> Result<Edges, SceneError> {
             factor: table.must("factor", Quantity::read)?,
         },
         _ => Edges::Torus(corners(&table)?),
+    })
+}
+
+fn goal(spot: &Spot<'_>) -> Result<Goal, SceneError> {
+    let table = Reader::new(spot.path.clone(), GOAL, spot.node)?;
+    Ok(Goal {
+        position: table.must("position", Quantity::read)?,
+        weight: table.must("weight", Quantity::read)?,
+        speed: table.must("speed", Quantity::read)?,
+        limit: table.must("limit", Quantity::read)?,
+        slowing_radius: table.must("slowing_radius", Quantity::read)?,
+    })
+}
+
+fn obstacle(spot: &Spot<'_>) -> Result<Obstacle, SceneError> {
+    let (kind, table) = variant(spot)?;
+    let stay = || Ok([Side::Outside, Side::Inside][table.must("stay", choice)?]);
+    let shape = match kind {
+        "sphere" => ObstacleShape::Sphere {
+            center: table.must("center", Quantity::read)?,
+            radius: table.must("radius", Quantity::read)?,
+            stay: stay()?,
+        },
+        "plane" => ObstacleShape::Plane {
+            point: table.must("point", Quantity::read)?,
+            normal: table.must("normal", check::direction)?,
+        },
+        _ => ObstacleShape::Box {
+            corners: corners(&table)?,
+            stay: stay()?,
+        },
+    };
+    Ok(Obstacle {
+        shape,
+        margin: table.must("margin", Quantity::read)?,
+        limit: table.must("limit", Quantity::read)?,
     })
 }
 
@@ -115,6 +161,8 @@ fn relation(own: usize, spot: &Spot<'_>, names: &[String]) -> Result<Relation, S
         // Only a flock's relation to itself need not say so.
         other: other.unwrap_or(own),
         radius: table.may("radius", Quantity::read)?,
+        nearest: table.may("nearest", whole32)?,
+        view_angle_degrees: table.must("view_angle_degrees", Quantity::read)?,
         kind,
     })
 }

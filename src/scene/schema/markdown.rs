@@ -2,9 +2,9 @@
 
 use super::json::sentence;
 use super::{
-    BURST, CAMERA, EDGES, EXTINCTIONS, FIRE, FLAME, FLOCK, Field, GENERATION_SHAPES, GROUND, IMAGE,
-    INHERIT, Kind, LAMP, LAYER, LIGHT, Limits, PILLAR, PLANET, Presence, RAMP, REGION, RELATIONS,
-    ROOTS, SCENE, SYSTEM, Variant, WINDS, parent_of,
+    BURST, CAMERA, EDGES, EXTINCTIONS, FIRE, FLAME, FLOCK, Field, GENERATION_SHAPES, GOAL, GROUND,
+    IMAGE, INHERIT, Kind, LAMP, LAYER, LIGHT, Limits, OBSTACLES, PILLAR, PLANET, Presence, RAMP,
+    REGION, RELATIONS, ROOTS, SCENE, SYSTEM, Variant, WINDS, parent_of,
 };
 use crate::scene::expect::{digits, range};
 
@@ -83,12 +83,17 @@ pub fn reference_page() -> String {
     page += &section("`[[flock]]`", about, FLOCK);
     let about = "Where the boids of a flock are at first: anywhere in a box along the axes.";
     page += &section("`[region]`", about, REGION);
+    let about = "A place that the boids of a flock steer to.";
+    page += &section("`[goal]`", about, GOAL);
     let about = "What happens to a flock at the ends of the world: a table by its kind.";
     page += &kinds("`edges`", about, EDGES, inline("edges"));
     let about = "What the `[[flock]]` above it makes of another one, or of itself: a table by its \
                  kind. Predators and attractors are flocks that others avoid and approach.";
     let header = "[[flock.relation]]";
     page += &kinds("`[[flock.relation]]`", about, RELATIONS, list(header));
+    let about = "What boids of a flock turn away from and never enter; not across edges.";
+    let header = "[[flock.obstacle]]";
+    page += &kinds("`[[flock.obstacle]]`", about, OBSTACLES, list(header));
     let about =
         "A fire, as many as you like: flames of one kind, each the whole way of one particle.";
     page += &section("`[[fire]]`", about, FIRE);
@@ -100,7 +105,7 @@ pub fn reference_page() -> String {
         "What the particle of a flame looks like at an age, inside the `[[fire]]` above it.";
     page += &section("`[[fire.ramp]]`", about, RAMP);
     let about = "A part of the wind, which is the sum of all of them and moves the particles of \
-                 systems with `drag`: a table by its kind.";
+                 systems and the boids of flocks with `drag`: a table by its kind.";
     page += &kinds("`[[wind]]`", about, WINDS, list("[[wind]]"));
     let about = "A plane that splits the picture into layers.";
     page + &section("`[[layer]]`", about, LAYER)

@@ -12,7 +12,7 @@ mod markdown;
 mod rows;
 
 pub use fires::{FIRE, FLAME, RAMP, ROOTS};
-pub use flocks::{EDGES, FLOCK, REGION, RELATIONS};
+pub use flocks::{EDGES, FLOCK, GOAL, OBSTACLES, REGION, RELATIONS};
 pub use json::json_schema;
 pub use keys::{
     BURST, CAMERA, GROUND, IMAGE, INHERIT, LAMP, LAYER, LIGHT, PILLAR, PLANET, SCENE, SYSTEM,

@@ -46,6 +46,9 @@ fn flock_numbers<'a>(flock: &'a mut Flock, key: &str) -> Option<&'a mut [f32]> {
         "force" => &mut flock.force,
         "size" => one(&mut flock.size),
         "color" => &mut flock.color,
+        "drag" => one(&mut flock.drag),
+        "goal.position" => &mut flock.goal.as_mut()?.position,
+        "goal.weight" => one(&mut flock.goal.as_mut()?.weight),
         _ => return None,
     })
 }

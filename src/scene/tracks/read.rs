@@ -192,6 +192,10 @@ fn able(owner: Owner, scene: &Scene) -> Vec<String> {
                 let keys = parts.filter(|part| part.keyed).map(below);
                 keys.filter(|key| is_here(key)).collect()
             }
+            Kind::Table(parts) => {
+                let keys = parts.iter().filter(|part| part.keyed).map(below);
+                keys.filter(|key| is_here(key)).collect()
+            }
             _ if !field.keyed || (is_wind && !is_here(field.key)) => Vec::new(),
             _ => vec![field.key.to_owned()],
         };

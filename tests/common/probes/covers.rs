@@ -1,17 +1,17 @@
 //! Probes of what covers: records of every kind around a few pixels, and what they make of one.
 
 use glam::{Vec2, Vec3, Vec4};
-use motes::cpu::cover::{Layered, behind, bounds_of, coverage_at, far_to_near};
-use motes::cpu::shape::{Look, disc_of, segment_of, square_of, triangle_of};
+use motes::cpu::cover::{Layered, Spot, behind, bounds_of, coverage_at, far_to_near};
+use motes::cpu::shape::{Look, cone_of, disc_of, segment_of, square_of, triangle_of};
 use motes::exact::f32_of_u32;
 use motes::layout::Cover;
 
 use super::Arguments;
 
 pub(super) const COVER_IMPORTS: &str = "#import motes::layout::Cover
-#import motes::cover::{Kinds, Layered, behind, bounds_of, coverage_at, far_to_near}
-#import motes::shape::{Look, disc_of, segment_of, square_of, triangle_of}
-const KINDS: Kinds = Kinds(true, true, true);
+#import motes::cover::{Kinds, Layered, Spot, behind, bounds_of, coverage_at, far_to_near}
+#import motes::shape::{Look, cone_of, disc_of, segment_of, square_of, triangle_of}
+const KINDS: Kinds = Kinds(true, true, true, true, true);
 // So many bits of a word, in quarters.
 fn quarters(word: u32, shift: u32, count: u32) -> f32 {
     return f32_of_u32((word >> shift) & ((1u << count) - 1u)) * 0.25f;
@@ -29,8 +29,15 @@ fn some(kind: u32, w: u32, i: u32) -> Cover {
         case 1u: { return disc_of(a.x, a.y, size, quarters(w, 18u, 3u) * 0.5f, look); }
         case 2u: { return square_of(a.x, a.y, size, look); }
         case 3u: { return segment_of(a, b, size * 0.3f, look); }
+        case 5u: { return cone_of(a, b, size, quarters(w, 12u, 3u) * 0.5f - 0.9f, look); }
         default: { return triangle_of(a, b, c, look); }
     }
+}
+// The same at one side of the picture, or at both.
+fn sided(kind: u32, w: u32, i: u32) -> Cover {
+    var it = some(kind, w, i);
+    it.lit.w = (w >> 21u) % 3u;
+    return it;
 }
 fn part(kind: u32, w: u32, i: u32) -> f32 {
     return coverage_at(some(kind, w, i), KINDS, i32(w >> 28u), i32(i >> 28u));
@@ -39,6 +46,10 @@ fn record(kind: u32, w: u32, i: u32, word: u32) -> u32 {
     let it = some(kind, w, i);
     var vectors = array<vec4<u32>, 4>(it.points, it.shape, it.color, it.lit);
     return vectors[word / 4u][word % 4u];
+}
+fn sides(kind: u32, w: u32, i: u32) -> u32 {
+    let it = bounds_of(sided(kind, w, i), 13u, 9u);
+    return u32(it.x + it.y * 100 + it.z * 10000 + it.w * 1000000);
 }
 fn bounds(kind: u32, w: u32, i: u32) -> u32 {
     let it = bounds_of(some(kind, w, i), 13u, 9u);
@@ -51,7 +62,8 @@ fn over(kind: u32, c: f32, w: u32, i: u32) -> vec4<f32> {
     }
     let above = Layered(vec3<f32>(0.1f, 0.0f, abs(c)), clear);
     let from_there = vec3<f32>(0.36f, -0.48f, 0.8f);
-    let pixel = behind(above, some(kind, w, i), KINDS, from_there, i32(w >> 28u), i32(i >> 28u));
+    let spot = Spot(i32(w >> 28u), i32(i >> 28u), 13);
+    let pixel = behind(above, sided(kind, w, i), KINDS, from_there, spot);
     return vec4<f32>(pixel.color, pixel.clear);
 }
 fn key(p: f32, w: u32) -> u32 {
@@ -80,8 +92,15 @@ fn some(r: &Arguments, kind: u32) -> Cover {
         1 => disc_of(a.x, a.y, size, quarters(w, 18, 3) * 0.5, &look),
         2 => square_of(a.x, a.y, size, &look),
         3 => segment_of(a, b, size * 0.3, &look),
+        5 => cone_of(a, b, size, quarters(w, 12, 3) * 0.5 - 0.9, &look),
         _ => triangle_of(a, b, c, &look),
     }
+}
+
+fn sided(r: &Arguments, kind: u32) -> Cover {
+    let mut it = some(r, kind);
+    it.lit[3] = (r.w >> 21) % 3;
+    it
 }
 
 /// The pixel that is looked at.
@@ -96,6 +115,11 @@ pub(super) fn part(r: &Arguments, kind: u32) -> f32 {
 
 pub(super) fn record(r: &Arguments, kind: u32, word: usize) -> u32 {
     bytemuck::cast::<Cover, [u32; 16]>(some(r, kind))[word]
+}
+
+pub(super) fn sides(r: &Arguments, kind: u32) -> u32 {
+    let [left, top, right, bottom] = bounds_of(&sided(r, kind), 13, 9);
+    (left + top * 100 + right * 10_000 + bottom * 1_000_000).cast_unsigned()
 }
 
 pub(super) fn bounds(r: &Arguments, kind: u32) -> u32 {
@@ -114,7 +138,8 @@ pub(super) fn over(r: &Arguments, kind: u32) -> [f32; 4] {
     };
     let (x, y) = pixel(r);
     let from = Vec3::new(0.36, -0.48, 0.8);
-    let pixel = behind(above, &some(r, kind), from, x, y);
+    let spot = Spot { x, y, width: 13 };
+    let pixel = behind(above, &sided(r, kind), from, spot);
     [pixel.color.x, pixel.color.y, pixel.color.z, pixel.clear]
 }
 
