@@ -101,6 +101,9 @@ pub struct Living<'a> {
     pub particles: &'a [u32],
     /// Words of [`crate::layout::Boid`].
     pub boids: &'a [u32],
+    /// Of fires that spread: words of [`crate::layout::SpreadCounts`], two for each ring, words of
+    /// [`crate::layout::SpreadPoint`]; empty where none does.
+    pub front: &'a [u32],
 }
 
 /// A plan under way on some processor. Pools start empty. It may move to another thread.

@@ -4,6 +4,7 @@
 pub mod flame;
 pub mod flock;
 pub mod planet;
+pub mod spread;
 pub mod tree;
 
 use bytemuck::{Pod, Zeroable};
@@ -13,6 +14,7 @@ use crate::exact::shared_constants;
 pub use flame::*;
 pub use flock::*;
 pub use planet::*;
+pub use spread::*;
 pub use tree::*;
 
 /// Who a particle is and where it is: 32 bytes, in its system's space.
@@ -416,6 +418,14 @@ pub struct FrameStats {
     pub systems_died: u32,
     /// Systems born by others that live.
     pub systems_live: u32,
+    /// Control points that were to be ignited or inserted.
+    pub points_requested: u32,
+    /// Those that were; for the rest there was no room.
+    pub points_born: u32,
+    /// Control points that came to rest.
+    pub points_died: u32,
+    /// Control points that move.
+    pub points_live: u32,
 }
 
 /// The arguments of one indirect dispatch.

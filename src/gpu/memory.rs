@@ -186,6 +186,7 @@ impl Memory {
     pub(super) fn begin(&self, stage: Stage, encoder: &mut wgpu::CommandEncoder) {
         let names: &[&str] = match stage {
             Stage::Shapes => &["cover_counts"],
+            Stage::Block => &["crowd_heads"],
             Stage::Splat if self.has_planet => &[],
             Stage::Splat | Stage::Planet => &["light_low", "light_high", "light_packed"],
             _ => &[],

@@ -39,14 +39,15 @@ mod target;
 pub(crate) use atomic::{AtomicFile, hidden_prefix, probe, token};
 pub(crate) use csv::quoted_field;
 pub use csv::{
-    BoidCounts, FlameCounts, Measured, ParticleCounts, StatsRow, StatsWriter, SystemCounts,
+    BoidCounts, FlameCounts, Measured, ParticleCounts, PointCounts, StatsRow, StatsWriter,
+    SystemCounts,
 };
 pub use error::OutputError;
 pub use exr::write_exr;
 pub(crate) use folder::{AtomicFolder, write_whole};
 pub use pattern::FramePattern;
 pub use picture::{LinearImage, Picture, PictureRef, Pixels, Rgba8Image};
-pub use ply::{dump_path, write_boids, write_flames, write_particles};
+pub use ply::{dump_path, write_boids, write_flames, write_particles, write_points};
 pub(crate) use png::read_png;
 pub use png::write_png;
 pub use sink::{FrameSink, Written};

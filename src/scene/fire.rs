@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::Spread;
+use super::{FireSpread, Spread};
 use crate::mesh::Mesh;
 
 /// Flames of one kind, each the whole trajectory of one particle, as a long exposure has it.
@@ -57,6 +57,8 @@ pub struct Fire {
     pub ramp: Vec<RampStop>,
     /// When its flames burn.
     pub burning: Burning,
+    /// How it spreads over a mesh, if it does.
+    pub spread: Option<FireSpread>,
 }
 
 /// Where flames stand, in the fire's space.

@@ -9,15 +9,15 @@ use std::io::{self, Write};
 use super::{Simulation, SimulationError};
 use crate::backend::Living;
 use crate::cpu::digest;
-use crate::layout::{Boid, Particle};
-use crate::plan::Stage;
+use crate::layout::{Boid, Particle, SpreadCounts, SpreadPoint};
+use crate::plan::{Plan, Stage};
 
 /// What the bytes of a snapshot begin with; the last is the version of what follows.
-const MAGIC: &[u8; 8] = b"motes-s\x02";
+const MAGIC: &[u8; 8] = b"motes-s\x03";
 
 /// Words between that and the particles: frame, number of systems, number of particles, number of
-/// boids.
-const HEAD_WORDS: usize = 4;
+/// boids, words of fronts.
+const HEAD_WORDS: usize = 5;
 
 /// Words of a particle.
 const PARTICLE_WORDS: usize = size_of::<Particle>() / 4;
@@ -25,15 +25,19 @@ const PARTICLE_WORDS: usize = size_of::<Particle>() / 4;
 /// Words of a boid.
 const BOID_WORDS: usize = size_of::<Boid>() / 4;
 
+/// Words of a control point.
+const POINT_WORDS: usize = size_of::<SpreadPoint>() / 4;
+
 /// The living after some frame, as they are stored.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Snapshot {
     frame: i32,
     system_count: u32,
-    /// Particles, then boids.
+    /// Particles, then boids, then fronts.
     words: Vec<u32>,
     live: u32,
     boid_count: u32,
+    front_words: u32,
 }
 
 /// Why bytes are no snapshot, or not one of that run.
@@ -74,14 +78,20 @@ impl Snapshot {
         self.live
     }
 
-    /// The particles' words and the boids'.
+    /// The particles' words, the boids' and the fronts'.
     fn living(&self) -> Living<'_> {
-        let (particles, boids) = self.words.split_at(self.live as usize * PARTICLE_WORDS);
-        Living { particles, boids }
+        let (particles, rest) = self.words.split_at(self.live as usize * PARTICLE_WORDS);
+        let (boids, front) = rest.split_at(self.boid_count as usize * BOID_WORDS);
+        Living {
+            particles,
+            boids,
+            front,
+        }
     }
 
-    /// Writes the bytes that [`Snapshot::from_bytes`] reads, the same on every machine: 32, and 32
-    /// for each particle and each boid.
+    /// Writes the bytes that [`Snapshot::from_bytes`] reads, the same on every machine: 36, 32 for
+    /// each particle and each boid, and 64 for each control point with 32 and 8 for each ring, if any
+    /// fire spreads.
     ///
     /// # Errors
     /// Those of the writer.
@@ -100,6 +110,7 @@ impl Snapshot {
             self.system_count,
             self.live,
             self.boid_count,
+            self.front_words,
         ]
     }
 
@@ -120,6 +131,7 @@ impl Snapshot {
             Some(system_count),
             Some(live),
             Some(boid_count),
+            Some(front_words),
         ] = head
         else {
             return Err(SnapshotError::Damaged);
@@ -133,7 +145,12 @@ impl Snapshot {
             && words.len() as u64
                 == u64::from(live) * PARTICLE_WORDS as u64
                     + u64::from(boid_count) * BOID_WORDS as u64
-            && u64::from_le_bytes(*found) == seal(&[frame, system_count, live, boid_count], &words);
+                    + u64::from(front_words)
+            && u64::from_le_bytes(*found)
+                == seal(
+                    &[frame, system_count, live, boid_count, front_words],
+                    &words,
+                );
         is_whole
             .then(|| Self {
                 frame: frame.cast_signed(),
@@ -141,9 +158,41 @@ impl Snapshot {
                 words,
                 live,
                 boid_count,
+                front_words,
             })
             .ok_or(SnapshotError::Damaged)
     }
+}
+
+/// Whether these are words of fronts of the plan: kernels index by faces, rings and slots.
+fn front_fits(plan: &Plan, front: &[u32]) -> bool {
+    const COUNT_WORDS: usize = size_of::<SpreadCounts>() / 4;
+    if plan.spread_count == 0 {
+        return front.is_empty();
+    }
+    let Some((counts, rest)) = front.split_first_chunk::<COUNT_WORDS>() else {
+        return false;
+    };
+    let rings = plan.ring_count as usize;
+    if rest.len() < 2 * rings {
+        return false;
+    }
+    let (spans, points) = rest.split_at(2 * rings);
+    let (points, odd) = points.as_chunks::<POINT_WORDS>();
+    let [total, ..] = *counts;
+    let (spans, _) = spans.as_chunks::<2>();
+    // Each ring is where its span says, one after the other.
+    let is_in_place = |(at, point): (u32, &[u32; POINT_WORDS])| {
+        let (face, ring, slot) = (point[2], point[3], point[15]);
+        let span = spans.get(ring as usize);
+        (face as usize) < plan.spreads.faces.len()
+            && slot < plan.spread_count
+            && span.is_some_and(|[first, last]| (*first..=*last).contains(&at) && *last < total)
+    };
+    odd.is_empty()
+        && total as usize == points.len()
+        && total <= plan.point_capacity
+        && (0..).zip(points).all(is_in_place)
 }
 
 /// What tells changed words from unchanged ones.
@@ -166,12 +215,20 @@ impl Simulation {
         if self.plan.boid_count > 0 {
             words.extend(self.backend.read("boids")?);
         }
+        let others = words.len();
+        if self.plan.spread_count > 0 {
+            for buffer in ["spread_counts", "ring_spans", "control_points"] {
+                words.extend(self.backend.read(buffer)?);
+            }
+        }
+        let front_words = (words.len() - others) as u32;
         Ok(Some(Snapshot {
             frame,
             system_count: self.plan.system_count,
             words,
             live,
             boid_count: self.plan.boid_count,
+            front_words,
         }))
     }
 
@@ -204,6 +261,7 @@ impl Simulation {
                 (of_slot, at) == (slot, index)
             });
         let fits = are_in_place
+            && front_fits(plan, living.front)
             && snapshot.system_count == plan.system_count
             && snapshot.live() <= plan.capacity
             && snapshot.frame >= plan.first_frame

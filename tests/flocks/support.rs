@@ -87,6 +87,7 @@ pub(crate) fn place(backend: &mut dyn Backend, plan: &Plan, states: &[State]) {
         .collect();
     assert_eq!(boids.len(), plan.boid_count as usize, "one state a boid");
     let living = Living {
+        front: &[],
         particles: &[],
         boids: bytemuck::cast_slice(&boids),
     };
