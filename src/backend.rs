@@ -103,6 +103,9 @@ pub struct Living<'a> {
     pub boids: &'a [u32],
     /// Words of the places of boids' trails, as the buffer `boid_trails` has them.
     pub trails: &'a [u32],
+    /// Of fires that spread: words of [`crate::layout::SpreadCounts`], two for each ring, words of
+    /// [`crate::layout::SpreadPoint`]; empty where none does.
+    pub front: &'a [u32],
 }
 
 /// A plan under way on some processor. Pools start empty. It may move to another thread.

@@ -5,6 +5,7 @@ pub mod flame;
 pub mod flock;
 pub mod ground;
 pub mod planet;
+pub mod spread;
 pub mod tree;
 
 use bytemuck::{Pod, Zeroable};
@@ -15,6 +16,7 @@ pub use flame::*;
 pub use flock::*;
 pub use ground::*;
 pub use planet::*;
+pub use spread::*;
 pub use tree::*;
 
 /// Who a particle is and where it is: 32 bytes, in its system's space.
@@ -429,6 +431,14 @@ pub struct FrameStats {
     pub systems_died: u32,
     /// Systems born by others that live.
     pub systems_live: u32,
+    /// Control points that were to be ignited or inserted.
+    pub points_requested: u32,
+    /// Those that were; for the rest there was no room.
+    pub points_born: u32,
+    /// Control points that came to rest.
+    pub points_died: u32,
+    /// Control points that move.
+    pub points_live: u32,
 }
 
 /// The arguments of one indirect dispatch.

@@ -32,32 +32,35 @@
 //!
 //! 0. *tree*, where systems bear systems: how many, in which slots, with which parameters, and where
 //!    each is. A borne system is a row of the tables that the stages below read, and nothing else.
-//! 1. *births*: how many particles each system bears, perhaps by its screen area; where its
+//! 1. *front*, where fires spread: control points go straight on over their surface, as fast as wind,
+//!    edges and heat have it. *block*: those that would enter what has burnt stop. *insert*: points
+//!    come between neighbours that are far apart, and rings begin.
+//! 2. *births*: how many particles each system bears, perhaps by its screen area; where its
 //!    newborns go.
-//! 2. *emit*: the newborns' places and velocities, behind the living.
-//! 3. *cull*: who dies of age, of dimness or out of bounds, one bit a particle; prefix sums over
+//! 3. *emit*: the newborns' places and velocities, behind the living.
+//! 4. *cull*: who dies of age, of dimness or out of bounds, one bit a particle; prefix sums over
 //!    the bits.
-//! 4. *advance*: survivors sample the wind, move, and take their compacted places in the other
+//! 5. *advance*: survivors sample the wind, move, and take their compacted places in the other
 //!    pool.
-//! 5. *hatch*, once: boids where their flocks begin; they never die. *cells*: a copy of them,
+//! 6. *hatch*, once: boids where their flocks begin; they never die. *cells*: a copy of them,
 //!    sorted by grid cell, stably. *steer*: each looks at those in the cells around it, steers, seeks
 //!    its goal, turns away from obstacles, drifts with the wind and moves; sums over others are
 //!    integers. Where it has been is kept for as long as its trail is.
-//! 6. *kindle*: the roots of flames, by hash of who each is, moved with their fires. *trace*: the way
+//! 7. *kindle*: the roots of flames, by hash of who each is, moved with their fires. *trace*: the way
 //!    of each flame's particle through this frame's wind, 25 steps; flames have no past.
 //!    *gather*, where there is a surface: a few point lights that stand for them. *ground*: a plane
 //!    behind everything, and pillars on it, in that light.
-//! 7. *shapes*: what covers what is behind it, one record a particle, a boid or a segment of its trail
+//! 8. *shapes*: what covers what is behind it, one record a particle, a boid or a segment of its trail
 //!    ([`layout::Cover`]).
-//! 8. *cover*: the records are sorted by depth, stably, and each pixel gathers those that cover it,
+//! 9. *cover*: the records are sorted by depth, stably, and each pixel gathers those that cover it,
 //!    from near to far; by tiles, in rounds, so that no tile has too many.
-//! 9. *planet*: a ball with a surface in every pixel, and on it what shows of the light of particles
-//!    behind its outline.
-//! 10. *splat*: particles that glow add light to pixels, in 64-bit integers; all of them, or one
+//! 10. *planet*: a ball with a surface in every pixel, and on it what shows of the light of particles
+//!     behind its outline.
+//! 11. *splat*: particles that glow add light to pixels, in 64-bit integers; all of them, or one
 //!     layer's.
-//! 11. *flame_discs*: the particles along each flame as they are seen. *glow*: each pixel gathers
+//! 12. *flame_discs*: the particles along each flame as they are seen. *glow*: each pixel gathers
 //!     those of a flame and adds their sum to its light.
-//! 12. *resolve*: what covers, what shows of the background, and light on top of both become bytes.
+//! 13. *resolve*: what covers, what shows of the background, and light on top of both become bytes.
 //!
 //! Counts stay on the device; nothing comes back but a ring of statistics, and what is asked for.
 //!

@@ -9,8 +9,9 @@ use motes::gpu::shader::{self, Access, CompileOptions, CompiledKernel};
 use motes::gpu::{STAGE_KERNELS, check_binding};
 use motes::layout::{
     self, AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, FireFrame, Flame, FlameDisc,
-    FlameLight, FlockFrame, Frame, FrameStats, Ground, Lamp, ListedFlame, Node, Obstacle, Particle,
-    Pillar, Planet, Pose, Relation, SystemFrame, SystemRow, Wind,
+    FlameLight, FlockFrame, Frame, FrameStats, Ground, Ignition, Lamp, ListedFlame, Node, Obstacle,
+    Particle, Pillar, Planet, Pose, Relation, SpreadCounts, SpreadEdge, SpreadFace, SpreadFeature,
+    SpreadFrame, SpreadPoint, SystemFrame, SystemRow, Walker, Wind,
 };
 use motes::plan::{BUFFERS, BufferRole, STAGES, Uses, buffer};
 
@@ -145,6 +146,10 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             systems_born,
             systems_died,
             systems_live,
+            points_requested,
+            points_born,
+            points_died,
+            points_live,
         }),
         rust_layout!(Cover {
             points,
@@ -274,6 +279,46 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             kinds,
         }),
         rust_layout!(AgeLook { center, rim, scale }),
+        rust_layout!(SpreadPoint {
+            place,
+            course,
+            path,
+            position,
+        }),
+        rust_layout!(Walker { place, way, left }),
+        rust_layout!(SpreadFace {
+            fire_from_face_x,
+            fire_from_face_y,
+            fire_from_face_z,
+            features,
+        }),
+        rust_layout!(SpreadEdge {
+            line,
+            corner,
+            turn,
+            ties,
+        }),
+        rust_layout!(SpreadFeature { line, bend }),
+        rust_layout!(SpreadFrame {
+            rates,
+            distances,
+            kinds,
+        }),
+        rust_layout!(Ignition {
+            place,
+            kinds,
+            order,
+        }),
+        rust_layout!(SpreadCounts {
+            total,
+            live,
+            requested,
+            born,
+            died,
+            before,
+            inserted,
+            ignited_from,
+        }),
         rust_layout!(FlameDisc { place, center, rim }),
         rust_layout!(Relation {
             kinds,
@@ -376,6 +421,12 @@ fn constants_agree_bit_for_bit() {
         motes::cpu::draw::ground::CONSTANTS,
         motes::cpu::pillar::CONSTANTS,
         motes::cpu::flame::CONSTANTS,
+        layout::spread::CONSTANTS,
+        motes::cpu::walk::CONSTANTS,
+        motes::cpu::spread::front::CONSTANTS,
+        motes::cpu::spread::block::CONSTANTS,
+        motes::cpu::spread::gaps::CONSTANTS,
+        motes::cpu::spread::insert::CONSTANTS,
         motes::cpu::fan::CONSTANTS,
         motes::cpu::detail::CONSTANTS,
         motes::cpu::draw::flame_discs::CONSTANTS,

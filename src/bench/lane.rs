@@ -177,6 +177,7 @@ impl Lane {
             pages,
             boids: plan.boid_count.into(),
             flames: plan.flame_count.into(),
+            points: stats.points_live.into(),
             cells: plan.cell_count.into(),
             covers,
             boid_covers: count(COVERS_OF_BOIDS).saturating_sub(plan.trail_segments()),

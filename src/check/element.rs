@@ -94,6 +94,38 @@ const FLAME_BOUNDS: Fields = &[
     ("inverse_inner_radius", true),
 ];
 
+const SPREAD_POINT: Fields = &[
+    ("place.x", true),
+    ("place.y", true),
+    ("face", false),
+    ("ring", false),
+    ("heading.x", true),
+    ("heading.y", true),
+    ("key", false),
+    ("state", false),
+    ("travelled_since_drop", true),
+    ("travelled", true),
+    ("first_frame", false),
+    ("spare", false),
+    ("position.x", true),
+    ("position.y", true),
+    ("position.z", true),
+    ("spread", false),
+];
+
+const SPREAD_COUNTS: Fields = &[
+    ("total", false),
+    ("live", false),
+    ("requested", false),
+    ("born", false),
+    ("died", false),
+    ("before", false),
+    ("inserted", false),
+    ("ignited_from", false),
+];
+
+const RING_SPAN: Fields = &[("first", false), ("last", false)];
+
 const COUNTS: Fields = &[
     ("live", false),
     ("requested", false),
@@ -118,6 +150,10 @@ const FRAME_STATS: Fields = &[
     ("systems_born", false),
     ("systems_died", false),
     ("systems_live", false),
+    ("points_requested", false),
+    ("points_born", false),
+    ("points_died", false),
+    ("points_live", false),
 ];
 
 const NODE: Fields = &[
@@ -210,6 +246,9 @@ fn fields(name: &str) -> Fields {
         ("Flame", _) => FLAME,
         ("FlameDisc", _) => FLAME_DISC,
         _ if ["flame_steps", "boid_trails"].contains(&name) => PLACE,
+        ("SpreadPoint", _) => SPREAD_POINT,
+        ("SpreadCounts", _) => SPREAD_COUNTS,
+        _ if name == "ring_spans" => RING_SPAN,
         _ if name == "flame_bounds" => FLAME_BOUNDS,
         ("Particle", _) => PARTICLE,
         ("Node", _) => NODE,

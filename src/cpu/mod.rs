@@ -23,11 +23,13 @@ pub mod pillar;
 pub mod projection;
 pub mod reach;
 pub mod shape;
+pub mod spread;
 pub(crate) mod sprite;
 pub mod steering;
 pub mod systems;
 pub mod tree;
 pub mod urge;
+pub mod walk;
 pub mod wind;
 
 use std::sync::Arc;
@@ -42,6 +44,7 @@ use flock::Flocks;
 use light::LightSums;
 use particle::{Identity, row_index};
 use particles::cull::{Fate, fate_of};
+use spread::Spreads;
 use tree::Tree;
 
 pub use digest::{digest, digest_from};
@@ -70,6 +73,7 @@ pub struct CpuBackend {
     ground_pixels: Vec<[u32; 4]>,
     flocks: Flocks,
     flames: Flames,
+    spreads: Spreads,
     light: LightSums,
     /// Whether anything covers; if not, what follows is empty.
     has_covers: bool,
@@ -118,6 +122,7 @@ impl CpuBackend {
             ground_pixels: try_zeroed(if plan.uses.ground { pixels } else { 0 }, "pixels")?,
             flocks: Flocks::new(plan)?,
             flames: Flames::new(plan)?,
+            spreads: Spreads::new(plan),
             light: LightSums::new(plan.width, plan.height),
             has_covers: plan.uses.covers,
             covers: Vec::new(),
@@ -149,6 +154,9 @@ impl CpuBackend {
     fn run_filled(&mut self, stage: Stage, inputs: &FrameInputs) -> Result<(), BackendError> {
         match stage {
             Stage::Tree => {}
+            Stage::Front => self.spreads.front(inputs),
+            Stage::Block => self.spreads.block(inputs),
+            Stage::Insert => self.spreads.insert(inputs),
             Stage::Births => self.births(inputs),
             Stage::Emit => self.emit(inputs)?,
             Stage::Cull => self.cull(inputs),
@@ -351,6 +359,10 @@ impl CpuBackend {
             systems_born: self.tree.counts.born,
             systems_died: self.tree.counts.died,
             systems_live: self.tree.counts.live,
+            points_requested: self.spreads.counts.requested,
+            points_born: self.spreads.counts.born,
+            points_died: self.spreads.counts.died,
+            points_live: self.spreads.counts.live,
         });
         Ok(())
     }
@@ -432,6 +444,12 @@ impl Backend for CpuBackend {
             "flame_sums" => self.flames.sums.clone(),
             "flame_lights" => bytemuck::cast_slice(&self.flames.lights).to_vec(),
             "flame_bounds" => bytemuck::cast_slice(&self.flames.bounds).to_vec(),
+            "control_points" => {
+                try_copied(bytemuck::cast_slice(&self.spreads.points), "the front")?
+            }
+            "moved_points" => try_copied(bytemuck::cast_slice(&self.spreads.moved), "the front")?,
+            "ring_spans" => bytemuck::cast_slice(&self.spreads.ring_spans).to_vec(),
+            "spread_counts" => bytemuck::cast_slice(&[self.spreads.counts]).to_vec(),
             "covers" => try_copied(bytemuck::cast_slice(&self.covers), "what covers")?,
             "cover_counts" => self.cover_counts(),
             "cover_rg" => bytemuck::cast_slice(&self.cover_rg).to_vec(),
@@ -459,6 +477,7 @@ impl Backend for CpuBackend {
         let particles = living.particles;
         bytemuck::cast_slice_mut(&mut self.flocks.boids).copy_from_slice(living.boids);
         bytemuck::cast_slice_mut(&mut self.flocks.trails).copy_from_slice(living.trails);
+        self.spreads.put(living.front);
         self.tree.clear();
         recent.iter().for_each(|inputs| self.keep_rows(inputs));
         let live = particles.len() * 4 / size_of::<Particle>();
@@ -484,6 +503,7 @@ impl Backend for CpuBackend {
             Population::Systems => (bytemuck::cast_slice(&self.tree.nodes), 7),
             Population::Particles => (bytemuck::cast_slice(&self.particles), 2),
             Population::Boids => (bytemuck::cast_slice(&self.flocks.boids), 2),
+            Population::Points => (bytemuck::cast_slice(&self.spreads.points), 4),
             Population::Flames => (bytemuck::cast_slice(&self.flames.flames), 4),
         };
         Ok(digest_from(population.first_index(), words, vectors))

@@ -64,6 +64,16 @@ enum Work {
     Flames,
     /// The same, told that it is of no details.
     FlameDiscs,
+    /// One a control point that there may be.
+    Points,
+    /// The same, told of the lists that they are in.
+    Crowd,
+    /// One for every 32 of them.
+    PointRuns,
+    /// One invocation, told how many there may be.
+    Book,
+    /// One a point of the rings that begin in one frame, at most.
+    Ignited,
     /// As many for each flame as share it.
     FlameShares,
     /// In each pass of details: one a flame, and as many for each as share it.
@@ -145,6 +155,71 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
         stage: Stage::Tree,
         kernel: "tree/pose",
         work: Work::TreeBorne,
+    },
+    KernelUse {
+        stage: Stage::Front,
+        kernel: "spread/front",
+        work: Work::Points,
+    },
+    KernelUse {
+        stage: Stage::Front,
+        kernel: "spread/walk",
+        work: Work::Points,
+    },
+    KernelUse {
+        stage: Stage::Front,
+        kernel: "spread/settle",
+        work: Work::Points,
+    },
+    KernelUse {
+        stage: Stage::Block,
+        kernel: "spread/enlist",
+        work: Work::Crowd,
+    },
+    KernelUse {
+        stage: Stage::Block,
+        kernel: "spread/block",
+        work: Work::Crowd,
+    },
+    KernelUse {
+        stage: Stage::Block,
+        kernel: "spread/walk",
+        work: Work::Points,
+    },
+    KernelUse {
+        stage: Stage::Block,
+        kernel: "spread/settle",
+        work: Work::Points,
+    },
+    KernelUse {
+        stage: Stage::Insert,
+        kernel: "spread/gaps",
+        work: Work::Points,
+    },
+    KernelUse {
+        stage: Stage::Insert,
+        kernel: "spread/walk",
+        work: Work::Points,
+    },
+    KernelUse {
+        stage: Stage::Insert,
+        kernel: "spread/sum_gaps",
+        work: Work::PointRuns,
+    },
+    KernelUse {
+        stage: Stage::Insert,
+        kernel: "spread/book",
+        work: Work::Book,
+    },
+    KernelUse {
+        stage: Stage::Insert,
+        kernel: "spread/insert",
+        work: Work::Points,
+    },
+    KernelUse {
+        stage: Stage::Insert,
+        kernel: "spread/ignite",
+        work: Work::Ignited,
     },
     KernelUse {
         stage: Stage::Births,
@@ -582,6 +657,14 @@ impl GpuBackend {
                 .flame_counts()
                 .zip(0..)
                 .try_for_each(|(count, fire)| push(0, 0, &[fire], direct(count))),
+            Work::Points => push(0, 0, &[], direct(plan.point_capacity)),
+            Work::Crowd => {
+                let mask = plan.crowd_lists() - 1;
+                push(0, 0, &[mask], direct(plan.point_capacity))
+            }
+            Work::PointRuns => push(0, 0, &[], direct(plan.point_capacity.div_ceil(32))),
+            Work::Book => push(0, 0, &[plan.point_capacity], Size::Direct(1, 1)),
+            Work::Ignited => push(0, 0, &[], direct(plan.spreads.most_ignited())),
             Work::Flames => push(0, 0, &[plan.flame_count], direct(plan.flame_count)),
             Work::FlameLights => push(0, 0, &[plan.fire_count], direct(FLAME_LIGHTS)),
             Work::FlameDiscs => push(0, 0, &[plan.flame_count, 0, 0], direct(plan.flame_count)),
@@ -719,6 +802,12 @@ impl GpuBackend {
                 let flames = self.memory.named("flames")?;
                 let count = self.flame_count;
                 Ok(vec![self.digest_command(flames, first, count, 4, false)?])
+            }
+            Population::Points if self.point_capacity == 0 => Ok(Vec::new()),
+            Population::Points => {
+                let points = self.memory.named("control_points")?;
+                let count = self.spread_counts()?.total;
+                Ok(vec![self.digest_command(points, first, count, 4, false)?])
             }
             Population::Boids if self.boid_count == 0 => Ok(Vec::new()),
             Population::Boids => {

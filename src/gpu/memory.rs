@@ -187,6 +187,7 @@ impl Memory {
         let names: &[&str] = match stage {
             Stage::Lights => &["flame_sums"],
             Stage::Shapes => &["cover_counts"],
+            Stage::Block => &["crowd_heads"],
             Stage::Splat if self.has_planet => &[],
             Stage::Splat | Stage::Planet => &["light_low", "light_high", "light_packed"],
             _ => &[],

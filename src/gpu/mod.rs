@@ -38,7 +38,7 @@ use std::sync::Arc;
 
 use crate::backend::{Backend, BackendError, Living, StageRecord};
 use crate::layout::FrameStats;
-use crate::plan::{FrameInputs, MeshTables, Plan, Population, STAGES, Stage};
+use crate::plan::{FrameInputs, MeshTables, Plan, Population, STAGES, SpreadTables, Stage};
 use commands::Command;
 use kernel::Kernel;
 use memory::Memory;
@@ -83,6 +83,9 @@ pub struct GpuBackend {
     boid_count: u32,
     boid_trail_count: u32,
     flame_count: u32,
+    point_capacity: u32,
+    ring_count: u32,
+    spreads: Arc<SpreadTables>,
     cell_count: u32,
     width: u32,
     height: u32,
@@ -93,6 +96,8 @@ pub struct GpuBackend {
     current: usize,
     /// Whether newborns stand behind the living: between emit and advance.
     newborns_present: bool,
+    /// Whether control points have moved, and none has been inserted since.
+    points_moved: bool,
     ring: StatisticsRing,
     in_flight: VecDeque<wgpu::SubmissionIndex>,
     timer: Option<Timer>,
@@ -207,6 +212,9 @@ impl GpuBackend {
             boid_count: plan.boid_count,
             boid_trail_count: plan.boid_trail_count,
             flame_count: plan.flame_count,
+            point_capacity: plan.point_capacity,
+            ring_count: plan.ring_count,
+            spreads: Arc::clone(&plan.spreads),
             cell_count: plan.cell_count,
             width: plan.width,
             height: plan.height,
@@ -215,6 +223,7 @@ impl GpuBackend {
             has_ground: plan.uses.ground,
             current: 0,
             newborns_present: false,
+            points_moved: false,
             ring: StatisticsRing::default(),
             in_flight: VecDeque::new(),
             timer: None,

@@ -7,7 +7,9 @@ use super::GpuBackend;
 use super::device::GpuDevice;
 use super::memory::Memory;
 use crate::backend::BackendError;
-use crate::layout::{Boid, Cover, FLAME_STEPS, Flame, FlameDisc, FrameStats, Node, SystemFrame};
+use crate::layout::{
+    Boid, Cover, FLAME_STEPS, Flame, FlameDisc, FrameStats, Node, SpreadPoint, SystemFrame,
+};
 
 /// Lines in the device's ring; `wgsl/scan/survivors.wgsl` has the same.
 pub(super) const STATISTICS_LEN: u32 = 256;
@@ -23,6 +25,9 @@ const BOID_WORDS: u64 = size_of::<Boid>() as u64 / 4;
 
 /// Words a flame.
 const FLAME_WORDS: u64 = size_of::<Flame>() as u64 / 4;
+
+/// Words a control point.
+const POINT_WORDS: u64 = size_of::<SpreadPoint>() as u64 / 4;
 
 /// Words a particle of a flame as it is seen.
 const DISC_WORDS: u64 = size_of::<FlameDisc>() as u64 / 4;
@@ -89,6 +94,11 @@ impl GpuBackend {
             "flame_bounds" => u64::from(self.flame_count) * 4,
             "flame_steps" => u64::from(self.flame_count * FLAME_STEPS) * 4,
             "flame_discs" => u64::from(self.flame_count * FLAME_STEPS) * DISC_WORDS,
+            "control_points" => u64::from(self.spread_counts()?.total) * POINT_WORDS,
+            // Those that were there before the frame's insertions, as of the last.
+            "moved_points" => u64::from(self.moved_count()?) * POINT_WORDS,
+            "ring_spans" => u64::from(self.ring_count) * 2,
+            "spread_counts" => 8,
             "boid_cells" => u64::from(self.boid_count),
             "cell_starts" => u64::from(self.cell_count) + 1,
             "deaths" => 2,
@@ -110,6 +120,16 @@ impl GpuBackend {
 }
 
 impl GpuBackend {
+    /// How many control points have moved in the last frame.
+    fn moved_count(&self) -> Result<u32, BackendError> {
+        let counts = self.spread_counts()?;
+        Ok(if self.points_moved {
+            counts.total
+        } else {
+            counts.before
+        })
+    }
+
     /// How many records of what covers there are.
     fn cover_records(&self) -> Result<u64, BackendError> {
         let counts = words(&self.gpu, self.memory.named("cover_counts")?, 32)?;

@@ -2,7 +2,7 @@
 
 use super::{GpuBackend, StatisticsRing};
 use crate::backend::{BackendError, Living};
-use crate::layout::Counts;
+use crate::layout::{Counts, SpreadCounts};
 use crate::plan::{FrameInputs, Stage};
 
 /// Words of a particle.
@@ -35,6 +35,19 @@ impl GpuBackend {
         self.gpu
             .write(trails, 0, bytemuck::cast_slice(living.trails))?;
         self.gpu.queue.submit([]);
+        if !living.front.is_empty() {
+            let (counts, rest) = living.front.split_at(size_of::<SpreadCounts>() / 4);
+            let (spans, points) = rest.split_at(2 * self.ring_count as usize);
+            for (name, words) in [
+                ("spread_counts", counts),
+                ("ring_spans", spans),
+                ("control_points", points),
+            ] {
+                let buffer = self.memory.named(name)?;
+                self.gpu.write(buffer, 0, bytemuck::cast_slice(words))?;
+                self.gpu.queue.submit([]);
+            }
+        }
         let live = (particles.len() / PARTICLE_WORDS) as u32;
         let counts = Counts {
             live,
@@ -50,6 +63,7 @@ impl GpuBackend {
         }
         self.gpu.queue.submit([encoder.finish()]);
         self.newborns_present = false;
+        self.points_moved = false;
         self.ring = StatisticsRing::default();
         // Flames have no past: they are what the last frame makes of them.
         if let Some(last) = recent.last() {

@@ -4,7 +4,7 @@ use super::commands::{Command, KernelUse};
 use super::timing::Timer;
 use super::{GpuBackend, readback};
 use crate::backend::BackendError;
-use crate::layout::{Counts, Frame};
+use crate::layout::{Counts, Frame, SpreadCounts};
 use crate::plan::{FrameInputs, Stage};
 
 /// Frames that may be under way on the device at once.
@@ -17,6 +17,12 @@ impl GpuBackend {
             ("curve_points", bytemuck::cast_slice(&self.curve_points)),
             ("mesh_faces", bytemuck::cast_slice(&self.meshes.faces)),
             ("mesh_choices", bytemuck::cast_slice(&self.meshes.choices)),
+            ("spread_faces", bytemuck::cast_slice(&self.spreads.faces)),
+            ("spread_edges", bytemuck::cast_slice(&self.spreads.edges)),
+            (
+                "spread_features",
+                bytemuck::cast_slice(&self.spreads.features),
+            ),
         ] {
             self.gpu.write(self.memory.named(name)?, 0, bytes)?;
         }
@@ -48,6 +54,8 @@ impl GpuBackend {
             ("fires", bytemuck::cast_slice(&inputs.fires)),
             ("listed_flames", bytemuck::cast_slice(&inputs.listed_flames)),
             ("age_looks", bytemuck::cast_slice(&inputs.age_looks)),
+            ("spreads", bytemuck::cast_slice(&inputs.spreads)),
+            ("due_ignitions", bytemuck::cast_slice(&inputs.due_ignitions)),
         ] {
             self.gpu.write(self.memory.named(name)?, 0, bytes)?;
         }
@@ -116,6 +124,8 @@ impl GpuBackend {
                 continue;
             }
             match stage {
+                Stage::Front => self.points_moved = true,
+                Stage::Insert => self.points_moved = false,
                 Stage::Emit => self.newborns_present = true,
                 Stage::Advance => {
                     self.newborns_present = false;
@@ -159,6 +169,15 @@ impl GpuBackend {
             &self.gpu,
             self.memory.named("counts")?,
             size_of::<Counts>() as u64,
+        )?;
+        Ok(bytemuck::pod_read_unaligned(bytemuck::cast_slice(&words)))
+    }
+
+    pub(super) fn spread_counts(&self) -> Result<SpreadCounts, BackendError> {
+        let words = readback::words(
+            &self.gpu,
+            self.memory.named("spread_counts")?,
+            size_of::<SpreadCounts>() as u64,
         )?;
         Ok(bytemuck::pod_read_unaligned(bytemuck::cast_slice(&words)))
     }

@@ -9,7 +9,7 @@ use super::commands::STAGE_KERNELS;
 use super::sort;
 use crate::layout::{
     Boid, Cover, Dispatch, FLAME_LIGHTS, FLAME_STEPS, Flame, FlameDisc, FlameLight, Node, Particle,
-    Pose, SystemFrame, SystemRow,
+    Pose, SpreadPoint, SystemFrame, SystemRow, Walker,
 };
 use crate::plan::{Stage, Uses};
 
@@ -38,6 +38,8 @@ pub struct Load {
     pub cells: u64,
     /// Flames of all fires.
     pub flames: u64,
+    /// Control points of fires that spread.
+    pub points: u64,
     /// Records of what covers, those of nothing included.
     pub covers: u64,
     /// Those of them that are of boids, without their trails.
@@ -69,6 +71,10 @@ const BOID: u64 = size_of::<Boid>() as u64;
 const FLAME: u64 = size_of::<Flame>() as u64;
 const FLAME_PLACES: u64 = FLAME_STEPS as u64 * 16;
 const FLAME_DISCS: u64 = FLAME_STEPS as u64 * size_of::<FlameDisc>() as u64;
+
+/// Bytes a control point, and what walks for it.
+const POINT: u64 = size_of::<SpreadPoint>() as u64;
+const WALKER: u64 = size_of::<Walker>() as u64;
 
 /// Bytes a record of what covers.
 const COVER: u64 = size_of::<Cover>() as u64;
@@ -148,6 +154,39 @@ static TABLE: &[Line] = &[
         let node = size_of::<Node>() + written;
         (load.systems, load.systems * node as u64)
     }),
+    ("spread/front", |load| {
+        (load.points, load.points * (POINT + WALKER))
+    }),
+    ("spread/walk", |load| {
+        // Once for the front, once for what is inserted.
+        (2 * load.points, 4 * load.points * WALKER)
+    }),
+    ("spread/settle", |load| {
+        (load.points, load.points * (2 * POINT + WALKER))
+    }),
+    ("spread/enlist", |load| {
+        (load.points, load.points * (POINT / 4 + WORD))
+    }),
+    ("spread/block", |load| {
+        (load.points, load.points * (2 * POINT + WALKER + WORD))
+    }),
+    ("spread/gaps", |load| {
+        (load.points, load.points * (2 * POINT + WALKER + WORD))
+    }),
+    ("spread/sum_gaps", |load| {
+        let runs = load.points.div_ceil(32);
+        (load.points, load.points * WORD + runs * 4 * WORD)
+    }),
+    ("spread/book", |load| {
+        let runs = load.points.div_ceil(32);
+        (runs, runs * 8 * WORD)
+    }),
+    ("spread/insert", |load| {
+        let runs = load.points.div_ceil(32);
+        (load.points, load.points * 2 * POINT + runs * 4 * WORD)
+    }),
+    // A ring in some frames.
+    ("spread/ignite", |_| (1, POINT)),
     ("systems/births", |load| {
         let frame = size_of::<SystemFrame>() as u64;
         (load.systems, load.systems * (frame + WORD))

@@ -13,11 +13,13 @@ mod obj;
 mod ply;
 mod ply_header;
 mod shapes;
+pub mod surface;
 
 use std::path::Path;
 
 pub use error::MeshError;
 pub use shapes::{BUILTIN, builtin, cube, cylinder, plane, sphere, torus};
+pub use surface::Surface;
 
 /// Bytes of a mesh file at most, of all buffers of a glTF together, and of all files that a scene
 /// names together.

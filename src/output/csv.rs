@@ -68,6 +68,20 @@ pub struct FlameCounts {
     pub live: u64,
 }
 
+/// What happened to the control points of fires that spread in one frame: `live` is that of the frame
+/// before, plus `born`, minus `died`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PointCounts {
+    /// Points that were to be ignited or inserted.
+    pub requested: u64,
+    /// Those that were; for the rest there was no room.
+    pub born: u64,
+    /// Points that came to rest, at a border or where it has burnt.
+    pub died: u64,
+    /// Points that move.
+    pub live: u64,
+}
+
 /// What a row is about, with the numbers that such a row has.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Measured {
@@ -86,6 +100,8 @@ pub enum Measured {
     },
     /// A population of flames (`flames`).
     Flames(FlameCounts),
+    /// Control points of fires that spread (`spread`).
+    Points(PointCounts),
     /// A drawn frame (`image`); its counts stay empty, and its digest is that of its RGBA8 pixels.
     Image,
 }
@@ -194,6 +210,17 @@ impl StatsRow<'_> {
             }
             Measured::Flames(FlameCounts { born, died, live }) => {
                 let counts = format!("flames,{born},{born},{died},{live},0");
+                (counts, ",,".to_owned(), None)
+            }
+            Measured::Points(counts) => {
+                let PointCounts {
+                    requested,
+                    born,
+                    died,
+                    live,
+                } = counts;
+                let dropped = requested.saturating_sub(born);
+                let counts = format!("spread,{requested},{born},{died},{live},{dropped}");
                 (counts, ",,".to_owned(), None)
             }
             Measured::Image => ("image,,,,,".to_owned(), ",,".to_owned(), None),

@@ -41,7 +41,8 @@ mod target;
 pub(crate) use atomic::{AtomicFile, probe};
 pub(crate) use csv::quoted_field;
 pub use csv::{
-    BoidCounts, FlameCounts, Measured, ParticleCounts, StatsRow, StatsWriter, SystemCounts,
+    BoidCounts, FlameCounts, Measured, ParticleCounts, PointCounts, StatsRow, StatsWriter,
+    SystemCounts,
 };
 pub use error::OutputError;
 pub use exr::write_exr;
@@ -49,7 +50,7 @@ pub(crate) use folder::{AtomicFolder, write_whole};
 pub(crate) use hidden::{hidden_prefix, remove_own, token};
 pub use pattern::FramePattern;
 pub use picture::{LinearImage, Picture, PictureRef, Pixels, Rgba8Image};
-pub use ply::{dump_path, write_boids, write_flames, write_particles};
+pub use ply::{dump_path, write_boids, write_flames, write_particles, write_points};
 pub(crate) use png::read_png;
 pub use png::write_png;
 pub use sink::{FrameSink, Written};

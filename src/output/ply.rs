@@ -7,7 +7,7 @@ use bytemuck::Pod;
 
 use super::OutputError;
 use super::atomic::AtomicFile;
-use crate::simulation::{BoidState, FlameState, ParticleState};
+use crate::simulation::{BoidState, FlameState, ParticleState, PointState};
 
 /// What a file says of the units of its properties.
 const PARTICLE_UNITS: &str = "world space; velocity per frame; age and lifetime in frames";
@@ -57,6 +57,24 @@ const FLAME_PROPERTIES: &[&str] = &[
     "uint fire",
 ];
 
+/// See [`PARTICLE_UNITS`].
+const POINT_UNITS: &str = "world space, front by front; travelled in world units; inert 0 moves, 1 at a border, 2 where it has burnt, 3 lost";
+
+/// PLY's type and name of each property, in the order of the fields of [`PointState`].
+const POINT_PROPERTIES: &[&str] = &[
+    "float x",
+    "float y",
+    "float z",
+    "float hx",
+    "float hy",
+    "float hz",
+    "uint face",
+    "uint fire",
+    "uint ring",
+    "float travelled",
+    "uint inert",
+];
+
 /// Records turned to bytes at a time, so that a dump costs no second copy of itself.
 const RECORDS_A_WRITE: usize = 4096;
 
@@ -87,6 +105,14 @@ pub fn write_boids(path: &Path, records: &[BoidState]) -> Result<(), OutputError
 /// As [`write_particles`].
 pub fn write_flames(path: &Path, records: &[FlameState]) -> Result<(), OutputError> {
     write(path, FLAME_UNITS, FLAME_PROPERTIES, records)
+}
+
+/// Writes control points as [`write_particles`] does particles.
+///
+/// # Errors
+/// As [`write_particles`].
+pub fn write_points(path: &Path, records: &[PointState]) -> Result<(), OutputError> {
+    write(path, POINT_UNITS, POINT_PROPERTIES, records)
 }
 
 fn write(

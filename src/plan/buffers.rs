@@ -3,8 +3,10 @@
 use super::Plan;
 use crate::layout::{
     AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, FLAME_LIGHTS, FLAME_STEPS, FireFrame,
-    Flame, FlameDisc, FlameLight, FlockFrame, Frame, FrameStats, Ground, Lamp, ListedFlame, Node,
-    Obstacle, Particle, Pillar, Planet, Pose, Relation, SystemFrame, SystemRow, Wind,
+    Flame, FlameDisc, FlameLight, FlockFrame, Frame, FrameStats, Ground, Ignition, Lamp,
+    ListedFlame, Node, Obstacle, Particle, Pillar, Planet, Pose, Relation, SpreadCounts,
+    SpreadEdge, SpreadFace, SpreadFeature, SpreadFrame, SpreadPoint, SystemFrame, SystemRow,
+    Walker, Wind,
 };
 
 /// What a buffer is for.
@@ -71,6 +73,18 @@ pub enum Count {
     ListedFlames,
     /// So many a flame.
     Flames(u32),
+    /// One a fire that spreads.
+    Spreads,
+    /// So many for each stored face that fires spread over.
+    SpreadFaces(u32),
+    /// One for each edge that is stored as near a face.
+    SpreadFeatures,
+    /// One a ring of control points.
+    Rings,
+    /// One for each list of control points that are near to each other.
+    CrowdLists,
+    /// One for every so many control points; the last may stand for fewer.
+    PointsOver(u32),
     /// So many a pixel, for pixels in whole fours.
     Pixels(u32),
     /// One for each record of what may cover.
@@ -398,6 +412,74 @@ pub static BUFFERS: &[Buffer] = {
             Count::Fixed(FLAME_LIGHTS),
         ),
         buffer_of("flame_bounds", State, "vec4<u32>", 16, Count::Flames(1)),
+        buffer_of(
+            "spreads",
+            Input,
+            "SpreadFrame",
+            size_of::<SpreadFrame>(),
+            Count::Spreads,
+        ),
+        buffer_of(
+            "due_ignitions",
+            Input,
+            "Ignition",
+            size_of::<Ignition>(),
+            Count::Rings,
+        ),
+        buffer_of(
+            "spread_faces",
+            Input,
+            "SpreadFace",
+            size_of::<SpreadFace>(),
+            Count::SpreadFaces(1),
+        ),
+        buffer_of(
+            "spread_edges",
+            Input,
+            "SpreadEdge",
+            size_of::<SpreadEdge>(),
+            Count::SpreadFaces(3),
+        ),
+        buffer_of(
+            "spread_features",
+            Input,
+            "SpreadFeature",
+            size_of::<SpreadFeature>(),
+            Count::SpreadFeatures,
+        ),
+        buffer_of(
+            "spread_counts",
+            State,
+            "SpreadCounts",
+            size_of::<SpreadCounts>(),
+            Count::Fixed(1),
+        ),
+        buffer_of("ring_spans", State, "vec2<u32>", 8, Count::Rings),
+        buffer_of(
+            "control_points",
+            State,
+            "SpreadPoint",
+            size_of::<SpreadPoint>(),
+            Count::PointsOver(1),
+        ),
+        buffer_of(
+            "moved_points",
+            State,
+            "SpreadPoint",
+            size_of::<SpreadPoint>(),
+            Count::PointsOver(1),
+        ),
+        buffer_of(
+            "walkers",
+            Scratch,
+            "Walker",
+            size_of::<Walker>(),
+            Count::PointsOver(1),
+        ),
+        buffer_of("crowd_heads", Scratch, "u32", 4, Count::CrowdLists),
+        buffer_of("crowd_next", Scratch, "u32", 4, Count::PointsOver(1)),
+        buffer_of("gap_flags", Scratch, "u32", 4, Count::PointsOver(1)),
+        buffer_of("gap_runs", Scratch, "vec4<u32>", 16, Count::PointsOver(32)),
         buffer_of("covers", State, "Cover", size_of::<Cover>(), Count::Covers),
         buffer_of("cover_counts", State, "u32", 4, Count::Fixed(8)),
         buffer_of(
@@ -451,6 +533,13 @@ impl Buffer {
             Count::Fires(each) => plan.fire_count * each,
             Count::ListedFlames => plan.listed_flame_count,
             Count::Flames(each) => plan.flame_count * each,
+            Count::Spreads => plan.spread_count,
+            Count::SpreadFaces(each) => plan.spreads.faces.len() as u32 * each,
+            Count::SpreadFeatures => plan.spreads.features.len() as u32,
+            Count::Rings => plan.ring_count,
+            Count::CrowdLists if plan.blocks => plan.crowd_lists(),
+            Count::CrowdLists => 0,
+            Count::PointsOver(each) => plan.point_capacity.div_ceil(each),
             Count::Cells { over, extra } => plan.cell_count.div_ceil(over) + extra,
             Count::Covers => plan.cover_capacity(),
             Count::CoveredPixels(each) if plan.uses.covers => {

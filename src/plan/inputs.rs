@@ -6,12 +6,14 @@ use super::fire::fires_of;
 use super::flock::flocks_of;
 use super::ground::{ground_of, has_ground};
 use super::planet::{lamps_of, outline_of, planet_of};
+use super::spread::spread_frames;
 use super::system::{Moments, bounds_of, system_frame, system_row};
 use super::tree::{bears_systems, broods, pose_of, row_spread};
 use super::wind::winds_of;
 use crate::layout::{
-    AgeLook, Bound, Brood, FireFrame, FlockFrame, Frame, Ground, Lamp, ListedFlame, Obstacle,
-    Pillar, Planet, Pose, Relation, SYSTEM_BEARS_SYSTEMS, SystemFrame, SystemRow, Wind,
+    AgeLook, Bound, Brood, FireFrame, FlockFrame, Frame, Ground, Ignition, Lamp, ListedFlame,
+    Obstacle, Pillar, Planet, Pose, Relation, SYSTEM_BEARS_SYSTEMS, SpreadFrame, SystemFrame,
+    SystemRow, Wind,
 };
 use crate::scene::Scene;
 
@@ -57,6 +59,10 @@ pub struct FrameInputs {
     pub listed_flames: Vec<ListedFlame>,
     /// What flames look like at each age, fire by fire.
     pub age_looks: Vec<AgeLook>,
+    /// One a fire that spreads.
+    pub spreads: Vec<SpreadFrame>,
+    /// The rings that begin; if there are none, one without points if any fire spreads.
+    pub due_ignitions: Vec<Ignition>,
     /// Whether flocks begin in this frame: their boids are put where they are at first.
     pub hatches: bool,
 }
@@ -143,6 +149,8 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
         fires,
         listed_flames,
         age_looks,
+        spreads: spread_frames(&now),
+        due_ignitions: plan.spreads.due(number),
         hatches: number == plan.first_frame,
     }
 }

@@ -17,6 +17,7 @@ mod lights;
 mod meshes;
 mod planet;
 mod population;
+mod spread;
 mod stages;
 mod system;
 mod tree;
@@ -30,6 +31,7 @@ pub use fire::DetailPass;
 pub use inputs::FrameInputs;
 pub use meshes::MeshTables;
 pub use population::Population;
+pub use spread::SpreadTables;
 pub use stages::{STAGES, Stage, StageInfo};
 pub use uses::Uses;
 
@@ -114,6 +116,16 @@ pub struct Plan {
     pub curve_points: Vec<[f32; 4]>,
     /// Faces of the meshes that particles are born on.
     pub meshes: Arc<MeshTables>,
+    /// What fires spread over.
+    pub spreads: Arc<SpreadTables>,
+    /// Fires that spread.
+    pub spread_count: u32,
+    /// Rings that begin at any time.
+    pub ring_count: u32,
+    /// Whether some fire is kept from burning anything twice, at any time.
+    pub blocks: bool,
+    /// Control points at most, of all fires together.
+    pub point_capacity: u32,
     /// The scene as it is from a frame on, in the order of these frames.
     variants: Vec<(i32, Scene)>,
 }
@@ -187,6 +199,7 @@ impl Plan {
         let most = |of: &dyn Fn(&&Scene) -> u32| scenes.iter().map(of).max().unwrap_or(0);
         let most_of_kinds = tree::most_of_kinds(&scenes, lifetime_bound, frame_end);
         let borne = tree::capacity(scene, &most_of_kinds)?;
+        let spreads = SpreadTables::new(&scenes)?;
         let mut plan = Self {
             capacity: 1,
             may_drop: false,
@@ -216,6 +229,13 @@ impl Plan {
             first_frame,
             curve_points: curves::curve_points(&scenes),
             meshes: Arc::new(MeshTables::new(&scenes)?),
+            spread_count: spread::spreads_of(scene).count() as u32,
+            ring_count: spreads.ignitions.len() as u32,
+            blocks: scenes.iter().any(|scene| {
+                spread::spreads_of(scene).any(|(_, spread)| spread.prevents_double_burning)
+            }),
+            point_capacity: point_capacity(scene)?,
+            spreads: Arc::new(spreads),
             variants,
         };
         plan.uses = plan.uses_of_all();
@@ -327,9 +347,16 @@ impl Plan {
             Stage::Lights => self.uses.ground && self.fire_count > 0,
             Stage::Hatch | Stage::Cells | Stage::Steer => self.flock_count > 0,
             Stage::Shapes | Stage::Cover => self.uses.covers,
+            Stage::Front | Stage::Insert => self.spread_count > 0,
+            Stage::Block => self.blocks,
             Stage::Kindle | Stage::Trace | Stage::FlameDiscs | Stage::Glow => self.fire_count > 0,
             _ => true,
         }
+    }
+
+    /// Lists of control points that are near to each other: a power of two.
+    pub(crate) fn crowd_lists(&self) -> u32 {
+        (2 * self.point_capacity).next_power_of_two()
     }
 
     /// Records of what covers, at most: one a particle, and those of boids, if anything covers.
@@ -350,14 +377,28 @@ impl Plan {
     /// The earliest frame that a run has to step to have every particle of `frame` right, from an
     /// empty start, its deaths included: particles born before it are dead by then
     /// (Reeves 1983, section 3). Where births may be dropped, who is alive depends on all that
-    /// came before, and so do the places of boids: then it is the first frame.
+    /// came before, and so do the places of boids and of fronts: then it is the first frame.
     pub fn restart_frame(&self, frame: u32) -> i32 {
-        if self.may_drop || self.flock_count > 0 {
+        if self.may_drop || self.flock_count > 0 || self.spread_count > 0 {
             return self.first_frame;
         }
         let earliest = i64::from(frame) - i64::from(self.lifetime_bound);
         earliest.max(i64::from(self.first_frame)) as i32
     }
+}
+
+/// Control points of all fires together, at most as many as one binding holds.
+fn point_capacity(scene: &Scene) -> Result<u32, PlanError> {
+    const MOST: u32 = 1_000_000;
+    let wanted = spread::spreads_of(scene).map(|(_, spread)| spread.max_points);
+    let wanted = wanted.fold(0, u32::saturating_add);
+    if wanted <= MOST {
+        return Ok(wanted);
+    }
+    Err(PlanError {
+        message: format!("this scene's fires may have {wanted} control points in all"),
+        help: format!("`max_points` that sum to at most {MOST}"),
+    })
 }
 
 /// Whether all bounds of the scenes have room.
@@ -384,10 +425,17 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
             .map(|flock| (flock.name.clone(), flock.count, flock.trail_frames))
             .collect()
     };
-    let fires = |scene: &Scene| -> Vec<(String, usize, u32)> {
+    type Burns = Option<(u64, u32, Vec<crate::scene::Ignition>)>;
+    let fires = |scene: &Scene| -> Vec<(String, usize, u32, Burns)> {
         let fires = scene.fires.iter();
         fires
-            .map(|fire| (fire.name.clone(), fire.listed.len(), fire.count()))
+            .map(|fire| {
+                let spread = fire.spread.as_ref().map(|spread| {
+                    let digest = spread.surface.digest();
+                    (digest, spread.max_points, spread.ignitions.clone())
+                });
+                (fire.name.clone(), fire.listed.len(), fire.count(), spread)
+            })
             .collect()
     };
     let names = |scene: &Scene| -> Vec<String> {
@@ -425,7 +473,7 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
                 "the change at frame {} alters what holds for a whole run",
                 turn.frame
             ),
-            help: "the list of systems, their names, parents and `blend`, whether there is a planet, whether a ground or pillars, the flocks' and fires' names and counts, `trail_frames`, the \
+            help: "the list of systems, their names, parents and `blend`, whether there is a planet, whether a ground or pillars, the flocks' and fires' names and counts, `trail_frames`, what fires spread over from where, the \
                    number of layers, the image size, the seed and the capacity stay as the scene has \
                    them"
                 .into(),

@@ -15,19 +15,29 @@ pub enum Population {
     Boids,
     /// Those of all fires.
     Flames,
+    /// Control points of fires that spread.
+    Points,
 }
 
 impl Population {
     /// Each of them.
-    pub const ALL: [Self; 4] = [Self::Particles, Self::Systems, Self::Boids, Self::Flames];
+    pub const ALL: [Self; 5] = [
+        Self::Particles,
+        Self::Systems,
+        Self::Boids,
+        Self::Flames,
+        Self::Points,
+    ];
 
-    /// Its name in tables and of its dumps; also that of its state buffer, but for systems, whose is `nodes`.
+    /// Its name in tables and of its dumps; also that of its state buffer, but for systems, whose is
+    /// `nodes`, and points, whose is `control_points`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Systems => "systems",
             Self::Particles => "particles",
             Self::Boids => "boids",
             Self::Flames => "flames",
+            Self::Points => "points",
         }
     }
 
@@ -39,6 +49,7 @@ impl Population {
             Self::Particles => !scene.systems.is_empty(),
             Self::Boids => !scene.flocks.is_empty(),
             Self::Flames => !scene.fires.is_empty(),
+            Self::Points => scene.fires.iter().any(|fire| fire.spread.is_some()),
         };
         Self::ALL.into_iter().filter(has).collect()
     }
@@ -50,6 +61,7 @@ impl Population {
             Self::Particles => 0,
             Self::Boids => 1 << 31,
             Self::Flames => 5 << 29,
+            Self::Points => 7 << 29,
         }
     }
 }
@@ -62,6 +74,7 @@ impl Plan {
             Population::Particles => self.own_system_count > 0,
             Population::Boids => self.flock_count > 0,
             Population::Flames => self.fire_count > 0,
+            Population::Points => self.spread_count > 0,
         }
     }
 

@@ -1,12 +1,19 @@
 //! The frame, stage by stage. Reading the table is reading the frame.
 
 use super::FrameInputs;
+use crate::layout::{SPREAD_BLOCKS, SpreadFrame};
 
 /// A stage of a frame. Backends expand each into their own passes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Stage {
     /// Systems that others bear: births, deaths, places, parameters.
     Tree,
+    /// Control points of fires that spread go over their surfaces.
+    Front,
+    /// Control points stop where it has burnt.
+    Block,
+    /// Control points come between others, and rings begin.
+    Insert,
     /// How many particles each system bears, and where they go.
     Births,
     /// Attributes of the newborn.
@@ -80,6 +87,56 @@ pub static STAGES: &[StageInfo] = &[
         draws: false,
     },
     StageInfo {
+        stage: Stage::Front,
+        name: "front",
+        reads: &[
+            "frame",
+            "fires",
+            "winds",
+            "spreads",
+            "spread_faces",
+            "spread_edges",
+            "spread_features",
+            "spread_counts",
+            "ring_spans",
+            "control_points",
+        ],
+        writes: &["moved_points"],
+        draws: false,
+    },
+    StageInfo {
+        stage: Stage::Block,
+        name: "block",
+        reads: &[
+            "spreads",
+            "spread_faces",
+            "spread_edges",
+            "spread_counts",
+            "ring_spans",
+            "control_points",
+            "moved_points",
+        ],
+        writes: &["moved_points"],
+        draws: false,
+    },
+    StageInfo {
+        stage: Stage::Insert,
+        name: "insert",
+        reads: &[
+            "frame",
+            "spreads",
+            "due_ignitions",
+            "spread_faces",
+            "spread_edges",
+            "spread_counts",
+            "ring_spans",
+            "control_points",
+            "moved_points",
+        ],
+        writes: &["control_points", "ring_spans", "spread_counts"],
+        draws: false,
+    },
+    StageInfo {
         stage: Stage::Births,
         name: "births",
         reads: &["frame", "system_frames", "counts"],
@@ -125,6 +182,7 @@ pub static STAGES: &[StageInfo] = &[
             "alive_bits",
             "deaths",
             "tree_counts",
+            "spread_counts",
             "particles",
             "winds",
         ],
@@ -303,6 +361,11 @@ impl Stage {
             Self::Planet => !inputs.planets.is_empty(),
             Self::Ground => !inputs.grounds.is_empty(),
             Self::Lights => !inputs.grounds.is_empty() && !inputs.fires.is_empty(),
+            Self::Front | Self::Insert => !inputs.spreads.is_empty(),
+            Self::Block => {
+                let blocks = |spread: &SpreadFrame| spread.kinds[1] & SPREAD_BLOCKS != 0;
+                inputs.spreads.iter().any(blocks)
+            }
             Self::Hatch => inputs.hatches && !inputs.flocks.is_empty(),
             Self::Cells | Self::Steer => !inputs.flocks.is_empty(),
             Self::Kindle | Self::Trace | Self::FlameDiscs | Self::Glow => !inputs.fires.is_empty(),

@@ -25,6 +25,7 @@ impl Plan {
             mirrors: self.uses.mirrors,
             ..Uses::all()
         };
+        self.blocks = self.spread_count > 0;
         let rows = (self.lifetime_bound.saturating_add(1)).saturating_mul(2);
         let rows = rows.clamp(LEAST_ROWS, MOST_ROWS).next_power_of_two();
         self.row_count = self.row_count.max(rows);
@@ -59,6 +60,8 @@ impl Plan {
         plan.uses = self.uses;
         plan.first_frame = self.first_frame;
         plan.meshes = Arc::clone(&self.meshes);
+        plan.spreads = Arc::clone(&self.spreads);
+        plan.blocks = self.blocks;
         Ok(plan)
     }
 
@@ -106,6 +109,18 @@ impl Plan {
         if plan.curve_points != self.curve_points {
             return refuse(
                 "names a curve, to be born on, that the run has not".into(),
+                begin_anew,
+            );
+        }
+        if plan.blocks && !self.blocks {
+            return refuse(
+                "keeps a fire from burning what has burnt, which no fire did".into(),
+                begin_anew,
+            );
+        }
+        if !self.spreads.cover(&plan.spreads) {
+            return refuse(
+                "lets edges count farther away than the run was begun for".into(),
                 begin_anew,
             );
         }

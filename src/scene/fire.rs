@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::Spread;
+use super::{FireSpread, Spread};
 use crate::mesh::Mesh;
 
 /// Flames of one kind, each the whole trajectory of one particle, as a long exposure has it.
@@ -70,6 +70,8 @@ pub struct Fire {
     pub blackbody_rim: f32,
     /// When its flames burn.
     pub burning: Burning,
+    /// How it spreads over a mesh, if it does.
+    pub spread: Option<FireSpread>,
 }
 
 /// The light of a fire's flames on surfaces (Perry 1994, 3.2.4).

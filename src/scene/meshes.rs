@@ -10,7 +10,7 @@ use super::error::{did_you_mean, shortened};
 use super::files::{Files, Found};
 use super::read::Spot;
 use super::values::text;
-use crate::mesh::{self, MOST_TRIANGLES, Mesh, MeshError};
+use crate::mesh::{self, MOST_TRIANGLES, Mesh, MeshError, Surface};
 
 /// Bytes of memory that all meshes of a scene may take.
 const MOST_MEMORY: u64 = 512 << 20;
@@ -23,6 +23,8 @@ const MOST_LINE: usize = 1 << 16;
 pub(super) struct Meshes {
     by_name: HashMap<String, Arc<Mesh>>,
     by_file: HashMap<Found, Arc<Mesh>>,
+    /// By digest of the mesh and bits of the scale.
+    surfaces: HashMap<(u64, u32), Arc<Surface>>,
     triangles: usize,
     memory_bytes: u64,
 }
@@ -82,6 +84,25 @@ impl Files {
         let mesh = meshes.add(&name, mesh).map_err(refuse)?;
         meshes.by_file.insert(found, Arc::clone(&mesh));
         Ok(mesh)
+    }
+
+    /// The surface of a mesh that a value names, scaled, to be walked on.
+    pub(super) fn surface(
+        &self,
+        spot: &Spot<'_>,
+        mesh: &Mesh,
+        scale: f32,
+    ) -> Result<Arc<Surface>, SceneError> {
+        let key = (mesh.digest(), scale.to_bits());
+        if let Some(known) = self.meshes.borrow().surfaces.get(&key) {
+            return Ok(Arc::clone(known));
+        }
+        let made = Surface::new(mesh, scale);
+        let made = made.map_err(|error| self.refuse(spot, mesh.name(), error, &[]))?;
+        let surface = Arc::new(made);
+        let mut meshes = self.meshes.borrow_mut();
+        meshes.surfaces.insert(key, Arc::clone(&surface));
+        Ok(surface)
     }
 
     fn mesh_of(&self, name: &str, bytes: &[u8]) -> Result<Mesh, MeshError> {

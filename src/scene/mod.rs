@@ -27,6 +27,7 @@ mod read;
 mod scaled;
 pub mod schema;
 mod set;
+mod spread;
 mod system;
 mod tracks;
 mod tree;
@@ -56,6 +57,7 @@ pub use picture::{
     Camera, Ground, Image, Lamp, Layer, Light, Pillar, Planet, Projection, ShutterWeighting,
 };
 pub(crate) use set::Set;
+pub use spread::{Curvature, FireSpread, FluxFormula, FrontHeading, Ignition, Insertion};
 pub use system::{
     Blend, ChildUp, Integration, Intensity, ParticleShape, ParticleSpace, Shading, StreakLight,
     System,
@@ -151,7 +153,8 @@ impl Scene {
         parents.into_iter().any(|parent| parent == name)
     }
 
-    /// The meshes that its systems are born on, and that its flames stand on, each once.
+    /// The meshes that its systems are born on, that its flames stand on and that its fires spread
+    /// over, each once.
     pub fn meshes(&self) -> Vec<&Arc<Mesh>> {
         let of_systems = self
             .systems
@@ -164,8 +167,10 @@ impl Scene {
             Roots::Mesh { mesh, .. } => Some(mesh),
             _ => None,
         });
+        let burning = self.fires.iter().filter_map(|fire| fire.spread.as_ref());
+        let of_spreads = burning.map(|spread| &spread.mesh);
         let mut meshes: Vec<&Arc<Mesh>> = Vec::new();
-        for mesh in of_systems.chain(of_fires) {
+        for mesh in of_systems.chain(of_fires).chain(of_spreads) {
             if !meshes.iter().any(|known| Arc::ptr_eq(known, mesh)) {
                 meshes.push(mesh);
             }
@@ -181,6 +186,13 @@ impl Scene {
                 .map(|note| format!("{}: {note}", mesh.name()))
                 .collect::<Vec<_>>()
         };
-        self.meshes().iter().flat_map(of).collect()
+        let burning = self.fires.iter().filter_map(|fire| fire.spread.as_ref());
+        let of_spreads = burning.flat_map(|spread| {
+            let notes = spread.surface.notes().iter();
+            notes.map(|note| format!("{}: {note}", spread.mesh.name()))
+        });
+        let of_meshes = self.meshes();
+        let of_meshes = of_meshes.iter().flat_map(of);
+        of_meshes.chain(of_spreads).collect()
     }
 }

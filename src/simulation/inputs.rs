@@ -1,8 +1,8 @@
 //! Whether inputs of the caller's making fit the plan.
 
 use crate::layout::{
-    FLAME_LIGHTS, FLAME_STEPS, FireFrame, FlockFrame, Ground, MOST_NEAREST, ROOTS_MESH,
-    SHAPE_CURVE, SHAPE_MESH, SystemFrame, SystemRow,
+    FLAME_LIGHTS, FLAME_STEPS, FireFrame, FlockFrame, Ground, Ignition, MOST_NEAREST, ROOTS_MESH,
+    SHAPE_CURVE, SHAPE_MESH, SPREAD_BLOCKS, SystemFrame, SystemRow,
 };
 use crate::plan::{FrameInputs, Plan, PlanError};
 
@@ -66,6 +66,13 @@ pub(super) fn check_sizes(plan: &Plan, inputs: &FrameInputs) -> Result<(), PlanE
         return refuse(
             "inputs with other flocks than the plan's".into(),
             "flocks, boids and relations of the plan, and grids of no more cells".into(),
+        );
+    }
+    if !spreads_fit(plan, inputs) {
+        return refuse(
+            "inputs with other spreads of fires than the plan's".into(),
+            "a spread for each fire of the plan that spreads, and rings of the plan's on its faces"
+                .into(),
         );
     }
     if !fires_fit(plan, inputs) {
@@ -141,6 +148,33 @@ fn fires_fit(plan: &Plan, inputs: &FrameInputs) -> bool {
             .all(&mut own_flames)
         && first_listed == plan.listed_flame_count
         && inputs.fires.iter().all(has_faces)
+}
+
+/// Whether what spreads is what the plan has, and rings that begin are on its faces.
+fn spreads_fit(plan: &Plan, inputs: &FrameInputs) -> bool {
+    let mut before = 0u64;
+    let due = &inputs.due_ignitions;
+    let all: u64 = due.iter().map(|one| u64::from(one.kinds[1])).sum();
+    let mut is_right = |one: &Ignition| {
+        let [face, count, slot, _] = one.kinds;
+        let [of_those_before, ring, of_all, _] = one.order;
+        let in_order = u64::from(of_those_before) == before && u64::from(of_all) == all;
+        before += u64::from(count);
+        let names = (face as usize) < plan.spreads.faces.len()
+            && slot < plan.spread_count
+            && ring < plan.ring_count;
+        // One without points stands for none.
+        (in_order && names && count > 0) || all == 0
+    };
+    inputs.spreads.len() == plan.spread_count as usize
+        && (plan.spread_count == 0 || !due.is_empty())
+        && due.len() <= plan.ring_count as usize
+        && all <= u64::from(plan.spreads.most_ignited())
+        && due.iter().all(&mut is_right)
+        && inputs.spreads.iter().all(|spread| {
+            let blocks = spread.kinds[1] & SPREAD_BLOCKS != 0;
+            (spread.kinds[0] as usize) < inputs.fires.len() && (plan.blocks || !blocks)
+        })
 }
 
 /// Whether flocks have the plan's boids, and grids and relations have room in its lists.

@@ -9,6 +9,7 @@ mod lines;
 mod radiance;
 mod read;
 mod snapshot;
+mod spread;
 
 pub use crate::gpu::{AdapterDescription, ParticleBuffers, TextureError, UnfitDevice, adapters};
 pub use adapter::{AdapterChoice, adapter_names};
@@ -18,6 +19,7 @@ pub use lines::Line;
 pub use radiance::linear_of;
 pub use read::{BoidState, FlameState, ParticleState};
 pub use snapshot::{Snapshot, SnapshotError};
+pub use spread::PointState;
 
 use crate::backend::Backend;
 use crate::gpu::GpuOptions;

@@ -9,15 +9,15 @@ use std::io::{self, Write};
 use super::{Simulation, SimulationError};
 use crate::backend::Living;
 use crate::cpu::digest;
-use crate::layout::{Boid, Particle};
-use crate::plan::Stage;
+use crate::layout::{Boid, Particle, SpreadCounts, SpreadPoint};
+use crate::plan::{Plan, Stage};
 
 /// What the bytes of a snapshot begin with; the last is the version of what follows.
 const MAGIC: &[u8; 8] = b"motes-s\x03";
 
 /// Words between that and the particles: frame, number of systems, number of particles, number of
-/// boids, number of places of their trails.
-const HEAD_WORDS: usize = 5;
+/// boids, number of places of their trails, words of fronts.
+const HEAD_WORDS: usize = 6;
 
 /// Words of a particle.
 const PARTICLE_WORDS: usize = size_of::<Particle>() / 4;
@@ -27,17 +27,20 @@ const BOID_WORDS: usize = size_of::<Boid>() / 4;
 
 /// Words of a place of a trail.
 const PLACE_WORDS: usize = 4;
+/// Words of a control point.
+const POINT_WORDS: usize = size_of::<SpreadPoint>() / 4;
 
 /// The living after some frame, as they are stored.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Snapshot {
     frame: i32,
     system_count: u32,
-    /// Particles, then boids, then the places of their trails.
+    /// Particles, then boids, then the places of their trails, then fronts.
     words: Vec<u32>,
     live: u32,
     boid_count: u32,
     place_count: u32,
+    front_words: u32,
 }
 
 /// Why bytes are no snapshot, or not one of that run.
@@ -78,19 +81,22 @@ impl Snapshot {
         self.live
     }
 
-    /// The particles' words, the boids' and their trails'.
+    /// The particles' words, the boids', their trails' and the fronts'.
     fn living(&self) -> Living<'_> {
         let (particles, rest) = self.words.split_at(self.live as usize * PARTICLE_WORDS);
-        let (boids, trails) = rest.split_at(self.boid_count as usize * BOID_WORDS);
+        let (boids, rest) = rest.split_at(self.boid_count as usize * BOID_WORDS);
+        let (trails, front) = rest.split_at(self.place_count as usize * PLACE_WORDS);
         Living {
             particles,
             boids,
             trails,
+            front,
         }
     }
 
-    /// Writes the bytes that [`Snapshot::from_bytes`] reads, the same on every machine: 36, 32 for
-    /// each particle and each boid, and 16 for each place of a boid's trail.
+    /// Writes the bytes that [`Snapshot::from_bytes`] reads, the same on every machine: 40, 32 for
+    /// each particle and each boid, 16 for each place of a boid's trail, and 64 for each control point
+    /// with 32 and 8 for each ring, if any fire spreads.
     ///
     /// # Errors
     /// Those of the writer.
@@ -110,6 +116,7 @@ impl Snapshot {
             self.live,
             self.boid_count,
             self.place_count,
+            self.front_words,
         ]
     }
 
@@ -131,6 +138,7 @@ impl Snapshot {
             Some(live),
             Some(boid_count),
             Some(place_count),
+            Some(front_words),
         ] = head
         else {
             return Err(SnapshotError::Damaged);
@@ -145,9 +153,17 @@ impl Snapshot {
                 == u64::from(live) * PARTICLE_WORDS as u64
                     + u64::from(boid_count) * BOID_WORDS as u64
                     + u64::from(place_count) * PLACE_WORDS as u64
+                    + u64::from(front_words)
             && u64::from_le_bytes(*found)
                 == seal(
-                    &[frame, system_count, live, boid_count, place_count],
+                    &[
+                        frame,
+                        system_count,
+                        live,
+                        boid_count,
+                        place_count,
+                        front_words,
+                    ],
                     &words,
                 );
         is_whole
@@ -158,9 +174,41 @@ impl Snapshot {
                 live,
                 boid_count,
                 place_count,
+                front_words,
             })
             .ok_or(SnapshotError::Damaged)
     }
+}
+
+/// Whether these are words of fronts of the plan: kernels index by faces, rings and slots.
+fn front_fits(plan: &Plan, front: &[u32]) -> bool {
+    const COUNT_WORDS: usize = size_of::<SpreadCounts>() / 4;
+    if plan.spread_count == 0 {
+        return front.is_empty();
+    }
+    let Some((counts, rest)) = front.split_first_chunk::<COUNT_WORDS>() else {
+        return false;
+    };
+    let rings = plan.ring_count as usize;
+    if rest.len() < 2 * rings {
+        return false;
+    }
+    let (spans, points) = rest.split_at(2 * rings);
+    let (points, odd) = points.as_chunks::<POINT_WORDS>();
+    let [total, ..] = *counts;
+    let (spans, _) = spans.as_chunks::<2>();
+    // Each ring is where its span says, one after the other.
+    let is_in_place = |(at, point): (u32, &[u32; POINT_WORDS])| {
+        let (face, ring, slot) = (point[2], point[3], point[15]);
+        let span = spans.get(ring as usize);
+        (face as usize) < plan.spreads.faces.len()
+            && slot < plan.spread_count
+            && span.is_some_and(|[first, last]| (*first..=*last).contains(&at) && *last < total)
+    };
+    odd.is_empty()
+        && total as usize == points.len()
+        && total <= plan.point_capacity
+        && (0..).zip(points).all(is_in_place)
 }
 
 /// What tells changed words from unchanged ones.
@@ -186,6 +234,13 @@ impl Simulation {
         if self.plan.boid_trail_count > 0 {
             words.extend(self.backend.read("boid_trails")?);
         }
+        let others = words.len();
+        if self.plan.spread_count > 0 {
+            for buffer in ["spread_counts", "ring_spans", "control_points"] {
+                words.extend(self.backend.read(buffer)?);
+            }
+        }
+        let front_words = (words.len() - others) as u32;
         Ok(Some(Snapshot {
             frame,
             system_count: self.plan.system_count,
@@ -193,6 +248,7 @@ impl Simulation {
             live,
             boid_count: self.plan.boid_count,
             place_count: self.plan.boid_trail_count,
+            front_words,
         }))
     }
 
@@ -225,6 +281,7 @@ impl Simulation {
                 (of_slot, at) == (slot, index)
             });
         let fits = are_in_place
+            && front_fits(plan, living.front)
             && snapshot.system_count == plan.system_count
             && snapshot.place_count == plan.boid_trail_count
             && snapshot.live() <= plan.capacity

@@ -115,6 +115,7 @@ pub(crate) fn place(backend: &mut dyn Backend, plan: &Plan, states: &[State]) {
         })
         .collect();
     let living = Living {
+        front: &[],
         particles: &[],
         boids: bytemuck::cast_slice(&boids),
         trails: bytemuck::cast_slice(&trails),

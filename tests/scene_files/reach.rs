@@ -1,12 +1,16 @@
 //! What right scenes are read as: every key in its place, and what holds where it is not written.
 
+use std::sync::Arc;
+
+use motes::mesh::{self, Surface};
 use motes::scene::{
     BirthMoment, BirthRounding, BirthUnit, Births, Blend, BoidShape, Burning, Burst, Camera,
-    Changing, ChildUp, Corners, Dimensions, Edges, EjectionAxis, EjectionSpread, Extinction, Fire,
-    FireLights, Flock, GenerationShape, Goal, Ground, Image, Inherit, Integration, Intensity, Lamp,
-    Layer, Light, LightFrom, ListedFlame, Obstacle, ObstacleShape, ParticleShape, ParticleSpace,
-    Pillar, Planet, Profile, Projection, RampStop, Relation, RelationKind, Roots, Rule, Scene,
-    Shading, ShutterWeighting, Side, Spread, StreakLight, System, Turbulence, Wind,
+    Changing, ChildUp, Corners, Curvature, Dimensions, Edges, EjectionAxis, EjectionSpread,
+    Extinction, Fire, FireLights, FireSpread, Flock, FluxFormula, FrontHeading, GenerationShape,
+    Goal, Ground, Ignition, Image, Inherit, Insertion, Integration, Intensity, Lamp, Layer, Light,
+    LightFrom, ListedFlame, Obstacle, ObstacleShape, ParticleShape, ParticleSpace, Pillar, Planet,
+    Profile, Projection, RampStop, Relation, RelationKind, Roots, Rule, Scene, Shading,
+    ShutterWeighting, Side, Spread, StreakLight, System, Turbulence, Wind,
 };
 
 use crate::text::{FULL, MINIMAL, accepted};
@@ -440,6 +444,41 @@ fn fire() -> Fire {
             lifetime: Some(90),
             growth_frames: 6,
         },
+        spread: Some(fire_spread()),
+    }
+}
+
+fn fire_spread() -> FireSpread {
+    let mesh = Arc::new(mesh::cube(2.0).expect("it is right"));
+    FireSpread {
+        surface: Arc::new(Surface::new(&mesh, 2.0).expect("it can be walked on")),
+        mesh,
+        ignitions: vec![Ignition {
+            position: [0.0, 0.0, 2.0],
+            first_frame: 4,
+            points: 24,
+        }],
+        time_scale: 0.25,
+        opposed_flux: 0.1,
+        concurrent_flux: 0.2,
+        ignition_heat: 0.75,
+        formula: Some(FluxFormula {
+            flame_temperature: 1200.0,
+            fuel_temperature: 350.0,
+            conductivity: 0.06,
+            emissivity: 0.3,
+            flame_length: 0.2,
+            flame_angle_degrees: 40.0,
+            thickness: 0.01,
+        }),
+        drop_distance: 0.3,
+        separation: 0.15,
+        curvature_distance: 0.05,
+        curvature: Curvature::Literal,
+        heading: FrontHeading::Normal,
+        insertion: Insertion::Midpoint,
+        prevents_double_burning: false,
+        max_points: 5000,
     }
 }
 

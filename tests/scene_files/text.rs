@@ -304,6 +304,33 @@ center = [1, 0.75, 0.5]
 rim = [0.5, 0.25, 0]
 alpha = 0.5
 rim_alpha = 0.125
+[fire.spread]
+mesh = "cube"
+scale = 2
+time_scale = 0.25
+opposed_flux = 0.1
+concurrent_flux = 0.2
+ignition_heat = 0.75
+drop_distance = 0.3
+separation = 0.15
+curvature_distance = 0.05
+curvature = "literal"
+heading = "normal"
+insertion = "midpoint"
+double_burning = "ignored"
+max_points = 5000
+[[fire.spread.ignition]]
+position = [0, 0, 2]
+first_frame = 4
+points = 24
+[fire.spread.formula]
+flame_temperature = 1200
+fuel_temperature = 350
+conductivity = 0.06
+emissivity = 0.3
+flame_length = 0.2
+flame_angle_degrees = 40
+thickness = 0.01
 [[wind]]
 kind = "uniform"
 velocity = [0.01, 0.02, 0.03]
@@ -397,7 +424,8 @@ fn index_of(section: &str, key: &str) -> usize {
                 .trim_matches(['[', ']'])
                 .replace("system.", "")
                 .replace("flock.", "")
-                .replace("fire.", "");
+                .replace("fire.", "")
+                .replace("spread.", "");
         } else if let Some(kind) = line.strip_prefix("kind = ") {
             current = format!("{current}.{}", kind.trim_matches('"'));
         }
@@ -464,6 +492,9 @@ pub(crate) fn fields_of(section: &str) -> &'static [Field] {
                 "fire" => schema::FIRE,
                 "flame" => schema::FLAME,
                 "ramp" => schema::RAMP,
+                "spread" => schema::SPREAD,
+                "ignition" => schema::IGNITION,
+                "formula" => schema::FORMULA,
                 "burst" => schema::BURST,
                 "inherit" => schema::INHERIT,
                 "planet" => schema::PLANET,

@@ -275,6 +275,10 @@ struct FrameStats {
     systems_born: u32,
     systems_died: u32,
     systems_live: u32,
+    points_requested: u32,
+    points_born: u32,
+    points_died: u32,
+    points_live: u32,
 }
 
 // The arguments of one indirect dispatch.
@@ -623,4 +627,108 @@ struct FlameDisc {
     // Red, green, blue and opacity.
     center: vec4<u32>,
     rim: vec4<u32>,
+}
+
+// SpreadPoint.course.w: it moves; it rests at a border, where it has burnt, or because its step crossed
+// too many edges.
+const POINT_MOVES: u32 = 0u;
+const POINT_ENDED: u32 = 1u;
+const POINT_BLOCKED: u32 = 2u;
+const POINT_LOST: u32 = 3u;
+const NO_EDGE: u32 = 0xffffffffu;
+// SpreadFrame.kinds.y.
+const SPREAD_NORMAL: u32 = 1u;
+const SPREAD_MIDPOINT: u32 = 2u;
+const SPREAD_LITERAL: u32 = 4u;
+const SPREAD_FLAT: u32 = 8u;
+const SPREAD_BLOCKS: u32 = 16u;
+// Bits of gap_flags.
+const GAP_INSERTS: u32 = 1u;
+const GAP_MOVES: u32 = 2u;
+const GAP_CAME_TO_REST: u32 = 4u;
+
+// A control point of a front, 64 bytes. Points of a ring stand one after the other, counterclockwise,
+// what burns to their left.
+struct SpreadPoint {
+    // x and y in the frame of its face, as bits; the face; its ring.
+    place: vec4<u32>,
+    // Unit heading in the face's frame, as bits; its key; POINT_....
+    course: vec4<u32>,
+    // How far it has come since it dropped a flame, and in all, as bits; the frame it began in.
+    path: vec4<u32>,
+    // Where it is in its fire's space, as bits; slot of its spread.
+    position: vec4<u32>,
+}
+
+// What walks over faces, 48 bytes.
+struct Walker {
+    // x and y in the frame of its face, as bits; the face; POINT_....
+    place: vec4<u32>,
+    // The unit vector that it walks along, and a vector that turns with it, as bits.
+    way: vec4<u32>,
+    // How far it has to go yet, and had in all, as bits; of a front, how it began; of a gap, the point
+    // after that which it began at.
+    left: vec4<u32>,
+}
+
+// A stored face that fires spread over.
+struct SpreadFace {
+    // Rows of the 3 x 4 transform from the face's frame, whose z is the outward normal.
+    fire_from_face_x: vec4<f32>,
+    fire_from_face_y: vec4<f32>,
+    fire_from_face_z: vec4<f32>,
+    // First edge in spread_features that is near, and how many; the mesh's face.
+    features: vec4<u32>,
+}
+
+// A half-edge of a stored face; half-edge 3 f + i begins at corner i of face f.
+struct SpreadEdge {
+    // Inward unit normal and offset in the face's frame; the edge's length.
+    line: vec4<f32>,
+    // Its first corner; cosine and sine of a quarter of all angles around it.
+    corner: vec4<f32>,
+    // From this face's frame to that beyond: cosine and sine, then the shift.
+    turn: vec4<f32>,
+    // The half-edge beyond, or NO_EDGE; 1 if its first corner is at no border.
+    ties: vec4<u32>,
+}
+
+// An edge near a face, in the face's frame.
+struct SpreadFeature {
+    // Where it begins; from there to its end.
+    line: vec4<f32>,
+    // The angle between the normals on both sides; the inverse of its squared length.
+    bend: vec4<f32>,
+}
+
+// What the processor knows of one spread in one frame.
+struct SpreadFrame {
+    // q_o and q_c; factor of the speed; the inverse of d_t.
+    rates: vec4<f32>,
+    // d_s and d_d; the inverse of a cell's size; how far apart points are looked at for meetings.
+    distances: vec4<f32>,
+    // Slot of its fire; SPREAD_....
+    kinds: vec4<u32>,
+}
+
+// A ring that is to begin.
+struct Ignition {
+    // Its middle in the frame of its face; a share of a turn a point.
+    place: vec4<f32>,
+    // The face; how many points; slot of the spread; its key.
+    kinds: vec4<u32>,
+    // Points of those before it that begin in the same frame; its ring.
+    order: vec4<u32>,
+}
+
+// How many points; one record, kept on the device from frame to frame.
+struct SpreadCounts {
+    total: u32,
+    live: u32,
+    requested: u32,
+    born: u32,
+    died: u32,
+    before: u32,
+    inserted: u32,
+    ignited_from: u32,
 }

@@ -1,10 +1,11 @@
 // survivors: the last step up and the first step down of the prefix sum, and the frame's books.
 //
 // One invocation turns sums_2 into exclusive prefix sums, learns how many survive, and writes the
-// frame's line of statistics. Reads: frame, deaths, tree_counts. Writes: sums_2, counts, statistics.
+// frame's line of statistics. Reads: frame, deaths, tree_counts,
+// spread_counts. Writes: sums_2, counts, statistics.
 // Invariant: live(f) = live(f-1) + born - died.
 
-#import motes::layout::{Counts, Frame, FrameStats}
+#import motes::layout::{Counts, Frame, FrameStats, SpreadCounts}
 
 // Lines in the statistics ring; as gpu::readback has it.
 const STATISTICS_LEN: u32 = 256u;
@@ -15,6 +16,7 @@ const STATISTICS_LEN: u32 = 256u;
 @group(0) @binding(3) var<storage, read_write> counts: Counts;
 @group(0) @binding(4) var<storage, read_write> statistics: array<FrameStats>;
 @group(0) @binding(5) var<storage, read> tree_counts: Counts;
+@group(0) @binding(6) var<storage, read> spread_counts: SpreadCounts;
 
 @compute @workgroup_size(1)
 fn survivors() {
@@ -41,5 +43,9 @@ fn survivors() {
         tree_counts.born,
         tree_counts.died,
         tree_counts.live,
+        spread_counts.requested,
+        spread_counts.born,
+        spread_counts.died,
+        spread_counts.live,
     );
 }

@@ -5,8 +5,9 @@ use std::path::Path;
 use crate::cli::CliError;
 use crate::layout::FrameStats;
 use crate::output::{
-    BoidCounts, FlameCounts, LinearImage, Measured, ParticleCounts, Picture, Pixels, Rgba8Image,
-    StatsRow, SystemCounts, dump_path, write_boids, write_flames, write_particles,
+    BoidCounts, FlameCounts, LinearImage, Measured, ParticleCounts, Picture, Pixels, PointCounts,
+    Rgba8Image, StatsRow, SystemCounts, dump_path, write_boids, write_flames, write_particles,
+    write_points,
 };
 use crate::plan::Population;
 use crate::scene::Scene;
@@ -41,6 +42,12 @@ pub(super) fn rows_of(
     };
     let [born, died, live] = plan.flames_at(line.frame.cast_signed()).map(u64::from);
     let flames = FlameCounts { born, died, live };
+    let points = PointCounts {
+        requested: line.points_requested.into(),
+        born: line.points_born.into(),
+        died: line.points_died.into(),
+        live: line.points_live.into(),
+    };
     let populations: Vec<Population> = plan.populations().collect();
     let mut rows = Vec::new();
     let mut row = |population, measured, digest| {
@@ -57,6 +64,7 @@ pub(super) fn rows_of(
             Population::Systems => Measured::Systems(systems),
             Population::Boids => Measured::Boids(boids),
             Population::Flames => Measured::Flames(flames),
+            Population::Points => Measured::Points(points),
             _ => Measured::Particles(counts),
         };
         let digest = simulation.population_digest(population)?;
@@ -84,6 +92,7 @@ pub(super) fn dump(
         match population {
             Population::Boids => write_boids(&path, &simulation.boids()?)?,
             Population::Flames => write_flames(&path, &simulation.flames()?)?,
+            Population::Points => write_points(&path, &simulation.control_points()?)?,
             Population::Particles => write_particles(&path, &simulation.particles()?)?,
             // No file has their records, and nobody asks for it.
             Population::Systems => {}

@@ -59,6 +59,7 @@ pub static LIBRARIES: &[Source] = sources![
     "lib/shape",
     "lib/sort",
     "lib/tile",
+    "lib/walk",
 ];
 
 /// Kernels, in the order of the frame.
@@ -67,6 +68,16 @@ pub static KERNELS: &[Source] = sources![
     "tree/settle",
     "tree/found",
     "tree/pose",
+    "spread/front",
+    "spread/walk",
+    "spread/settle",
+    "spread/enlist",
+    "spread/block",
+    "spread/gaps",
+    "spread/sum_gaps",
+    "spread/book",
+    "spread/insert",
+    "spread/ignite",
     "systems/births",
     "systems/offsets",
     "particles/emit",

@@ -28,7 +28,7 @@ pub(in crate::scene) fn flames(fires: &[Fire], spot: &Spot<'_>) -> Result<(), Sc
 
 /// The fire has a flame, each of them a height, and colours in ascending order.
 pub(in crate::scene) fn fire(fire: &Fire, table: &Reader<'_>) -> Result<(), SceneError> {
-    if fire.count() == 0 {
+    if fire.count() == 0 && fire.spread.is_none() {
         let what = format!("`{}` has no flame", table.path());
         let help = "roots = { kind = \"line\", length = 2, count = 20 }, or a `[[fire.flame]]` \
                     with a position";

@@ -68,6 +68,7 @@ fn fire(at: usize, spot: &Spot<'_>, files: &Files) -> Result<Fire, SceneError> {
             lifetime: table.may("lifetime", whole32)?,
             growth_frames: table.must("growth_frames", whole32)?,
         },
+        spread: table.may("spread", |spot| super::spread::spread(spot, files))?,
     };
     check::fire(&fire, &table)?;
     Ok(fire)

@@ -2,6 +2,7 @@
 
 mod fire;
 mod flock;
+mod spread;
 mod system;
 mod wind;
 

@@ -3,6 +3,7 @@
 use super::rows::{
     DIRECTION, PLACE, default, keyed, numbers, optional, required, spread, text, whole,
 };
+use super::spread::SPREAD;
 use super::{Field, Kind, Variant};
 
 /// Keys of each `[[fire]]` (Perry 1994, 3.2).
@@ -49,6 +50,7 @@ pub const FIRE: &[Field] = &[
     default("kindling_frames", whole(0, 1_000_000), "0", "frames", "how long it takes until all of `roots` burn, one after the other", ""),
     optional("lifetime", whole(1, 1_000_000), "60", "frames", "how long a flame burns; for ever if left out", "Perry 3.4"),
     default("growth_frames", whole(0, 1_000_000), "0", "frames", "how long a flame takes to grow, and to shrink at the end of its life", ""),
+    optional("spread", Kind::Table(SPREAD), "{ mesh = \"cube\", ignition = [{ position = [0, 0, 1] }] }", "", "how it spreads over a mesh, which moves and turns with the fire", "Perry 3.3"),
 ];
 
 /// Keys of each `[[fire.flame]]`.

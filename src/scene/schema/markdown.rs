@@ -2,9 +2,9 @@
 
 use super::json::sentence;
 use super::{
-    BURST, CAMERA, EDGES, EXTINCTIONS, FIRE, FLAME, FLOCK, Field, GENERATION_SHAPES, GOAL, GROUND,
-    IMAGE, INHERIT, Kind, LAMP, LAYER, LIGHT, Limits, OBSTACLES, PILLAR, PLANET, Presence, RAMP,
-    REGION, RELATIONS, ROOTS, SCENE, SYSTEM, Variant, WINDS, parent_of,
+    BURST, CAMERA, EDGES, EXTINCTIONS, FIRE, FLAME, FLOCK, FORMULA, Field, GENERATION_SHAPES, GOAL,
+    GROUND, IGNITION, IMAGE, INHERIT, Kind, LAMP, LAYER, LIGHT, Limits, OBSTACLES, PILLAR, PLANET,
+    Presence, RAMP, REGION, RELATIONS, ROOTS, SCENE, SPREAD, SYSTEM, Variant, WINDS, parent_of,
 };
 use crate::scene::expect::{digits, range};
 
@@ -104,6 +104,13 @@ pub fn reference_page() -> String {
     let about =
         "What the particle of a flame looks like at an age, inside the `[[fire]]` above it.";
     page += &section("`[[fire.ramp]]`", about, RAMP);
+    let about = "How the `[[fire]]` above it spreads over a mesh: a front of control points, which goes \
+                 straight on from face to face.";
+    page += &section("`[fire.spread]`", about, SPREAD);
+    let about = "Where the fire above it begins to spread, inside its `[fire.spread]`.";
+    page += &section("`[[fire.spread.ignition]]`", about, IGNITION);
+    let about = "Where the heat comes from, in SI units, inside the `[fire.spread]` above it.";
+    page += &section("`[fire.spread.formula]`", about, FORMULA);
     let about = "A part of the wind, which is the sum of all of them and moves the particles of \
                  systems and the boids of flocks with `drag`: a table by its kind.";
     page += &kinds("`[[wind]]`", about, WINDS, list("[[wind]]"));
@@ -206,7 +213,10 @@ fn value(field: &Field) -> String {
         }
         Kind::Table(_) => match parent_of(field.key) {
             // A flock's region and a fire's roots are written in braces, too.
-            Some("system") => format!("a table: [`[system.{0}]`](#system{0})", field.key),
+            Some(parent @ ("system" | "fire" | "fire.spread")) => {
+                let anchor = format!("{parent}{}", field.key).replace('.', "");
+                format!("a table: [`[{parent}.{}]`](#{anchor})", field.key)
+            }
             _ => format!("a table: [`[{0}]`](#{0})", field.key),
         },
         Kind::Tables { max, .. } => tables(field, max),
@@ -223,7 +233,7 @@ fn tables(field: &Field, max: usize) -> String {
     let (path, anchor) = match parent_of(field.key) {
         Some(parent) => (
             format!("{parent}.{}", field.key),
-            format!("{parent}{}", field.key),
+            format!("{parent}{}", field.key).replace('.', ""),
         ),
         None => (field.key.to_owned(), field.key.to_owned()),
     };

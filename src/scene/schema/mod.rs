@@ -10,6 +10,7 @@ mod keys;
 mod kinds;
 mod markdown;
 mod rows;
+mod spread;
 
 pub use fires::{FIRE, FLAME, RAMP, ROOTS};
 pub use flocks::{EDGES, FLOCK, GOAL, OBSTACLES, REGION, RELATIONS};
@@ -19,6 +20,7 @@ pub use keys::{
 };
 pub use kinds::{EXTINCTIONS, GENERATION_SHAPES, WINDS};
 pub use markdown::reference_page;
+pub use spread::{FORMULA, IGNITION, SPREAD};
 
 /// One key of a table.
 #[derive(Clone, Copy, Debug)]
@@ -229,9 +231,14 @@ fn default_mean(toml: &'static str) -> &'static str {
 /// The list of tables that tables of this key stand in, if not in the file itself.
 pub(in crate::scene) fn parent_of(key: &str) -> Option<&'static str> {
     let has = |fields: &[Field]| fields.iter().any(|field| field.key == key);
-    [("system", SYSTEM), ("flock", FLOCK), ("fire", FIRE)]
-        .into_iter()
-        .find_map(|(parent, fields)| has(fields).then_some(parent))
+    [
+        ("system", SYSTEM),
+        ("flock", FLOCK),
+        ("fire", FIRE),
+        ("fire.spread", SPREAD),
+    ]
+    .into_iter()
+    .find_map(|(parent, fields)| has(fields).then_some(parent))
 }
 
 /// The tables around the one with this path, such as `system.jet.speed`, from the outermost on:

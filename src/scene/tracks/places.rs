@@ -1,7 +1,7 @@
 //! Which values can change with the frame, and where they are.
 
 use super::Owner;
-use crate::scene::{Fire, Flock, GenerationShape, Scene, System, Wind};
+use crate::scene::{Fire, FireSpread, Flock, GenerationShape, Scene, System, Wind};
 
 /// The numbers that a key names, if they may change with the frame.
 pub(super) fn numbers_of<'a>(
@@ -109,6 +109,22 @@ fn fire_numbers<'a>(fire: &'a mut Fire, key: &str) -> Option<&'a mut [f32]> {
         "detail_spread" => one(&mut fire.detail_spread),
         "detail_alpha" => one(&mut fire.detail_alpha),
         "light" => one(&mut fire.lights.gain),
+        _ => {
+            let spread = fire.spread.as_mut()?;
+            return spread_number(spread, key.strip_prefix("spread.")?).map(one);
+        }
+    })
+}
+
+fn spread_number<'a>(spread: &'a mut FireSpread, key: &str) -> Option<&'a mut f32> {
+    Some(match key {
+        "time_scale" => &mut spread.time_scale,
+        "opposed_flux" => &mut spread.opposed_flux,
+        "concurrent_flux" => &mut spread.concurrent_flux,
+        "ignition_heat" => &mut spread.ignition_heat,
+        "drop_distance" => &mut spread.drop_distance,
+        "separation" => &mut spread.separation,
+        "curvature_distance" => &mut spread.curvature_distance,
         _ => return None,
     })
 }

@@ -187,13 +187,13 @@ fn able(owner: Owner, scene: &Scene) -> Vec<String> {
             Kind::Randomised { .. } if field.keyed => {
                 field.randomised_fields().iter().map(below).collect()
             }
+            Kind::Table(fields) => {
+                let keys = fields.iter().filter(|part| part.keyed).map(below);
+                keys.filter(|key| is_here(key)).collect()
+            }
             Kind::Variants(variants) => {
                 let parts = variants.iter().flat_map(|variant| variant.fields);
                 let keys = parts.filter(|part| part.keyed).map(below);
-                keys.filter(|key| is_here(key)).collect()
-            }
-            Kind::Table(parts) => {
-                let keys = parts.iter().filter(|part| part.keyed).map(below);
                 keys.filter(|key| is_here(key)).collect()
             }
             _ if !field.keyed || (is_wind && !is_here(field.key)) => Vec::new(),

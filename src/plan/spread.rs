@@ -1,0 +1,266 @@
+//! What fires spread over, and how fast: stored faces with their edges, and the part of a frame.
+
+use glam::UVec4;
+
+use super::PlanError;
+use super::system::name_key;
+use crate::exact::snap;
+use crate::layout::{
+    self, SPREAD_BLOCKS, SPREAD_FLAT, SPREAD_LITERAL, SPREAD_MIDPOINT, SPREAD_NORMAL, SpreadEdge,
+    SpreadFace, SpreadFeature, SpreadFrame,
+};
+use crate::mesh::surface::{HalfEdge, NO_EDGE, SurfaceFace};
+use crate::rng::pcg4d;
+use crate::scene::{Curvature, FireSpread, FrontHeading, Insertion, Scene};
+use crate::transcendental::{cos_turns, sin_turns};
+
+/// Marks hashes that make rings' keys.
+const RING_TAG: u32 = 0x7269_6e67;
+
+/// The angle of exposed air that steps are taken to have at most, radians: that of a cube's corner.
+const MOST_AIR: f32 = 2.0 * std::f32::consts::PI;
+
+/// Faces of all surfaces that fires spread over at most: what a binding of 128 MiB holds of their
+/// half-edges.
+const MOST_FACES: usize = (128 << 20) / (3 * size_of::<SpreadEdge>());
+
+/// Edges near faces at most: what such a binding holds of them.
+const MOST_FEATURES: usize = (128 << 20) / size_of::<SpreadFeature>();
+
+/// Every face that a fire spreads over, and every ring that begins. Where there are none, one face
+/// that is nobody's.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SpreadTables {
+    /// Spread by spread.
+    pub faces: Vec<SpreadFace>,
+    /// Three a face.
+    pub edges: Vec<SpreadEdge>,
+    /// Face by face.
+    pub features: Vec<SpreadFeature>,
+    /// Every ignition with its frame, in the order of frames, then of fires; `order` is that of its
+    /// frame.
+    pub ignitions: Vec<(u32, layout::Ignition)>,
+    /// Digest of the surface, how far edges are looked for, and the first face, of each spread.
+    stored: Vec<(u64, f32, u32)>,
+}
+
+impl SpreadTables {
+    /// The tables of all fires that spread, in any of these scenes: those of a run differ in numbers
+    /// alone.
+    pub(super) fn new(scenes: &[&Scene]) -> Result<Self, PlanError> {
+        let mut tables = Self::default();
+        let Some(first) = scenes.first() else {
+            return Ok(tables);
+        };
+        let reaches = |slot: usize| {
+            let of = |scene: &&Scene| {
+                let greatest = scene.greatest();
+                spreads_of(&greatest)
+                    .nth(slot)
+                    .map_or(0.0, |(_, spread)| spread.curvature_distance)
+            };
+            scenes.iter().map(of).fold(0.0, f32::max)
+        };
+        let mut due = Vec::new();
+        for (slot, (at, spread)) in spreads_of(first).enumerate() {
+            let reach = match spread.curvature {
+                Curvature::Ignored => 0.0,
+                _ => reaches(slot),
+            };
+            let first_face = tables.add(spread, reach)?;
+            let fire_key = name_key(first.seed, &first.fires[at].name, RING_TAG);
+            for (ring, ignition) in (0..).zip(&spread.ignitions) {
+                let (face, place) = spread.surface.nearest(ignition.position.map(f64::from));
+                let share = 1.0 / ignition.points as f32;
+                let [x, y] = place.map(|x| x as f32);
+                let key = pcg4d(UVec4::new(fire_key, ring, 0, RING_TAG)).x;
+                let ignition_of = layout::Ignition {
+                    place: [x, y, share, 0.0].map(snap),
+                    kinds: [first_face + face, ignition.points, slot as u32, key],
+                    order: [0; 4],
+                };
+                due.push((ignition.first_frame, ignition_of));
+            }
+        }
+        due.sort_by_key(|(frame, _)| *frame);
+        let mut ring = 0;
+        for same in due.chunk_by_mut(|a, b| a.0 == b.0) {
+            let all = same.iter().map(|(_, one)| one.kinds[1]).sum();
+            let mut before = 0;
+            for (_, one) in same {
+                one.order = [before, ring, all, 0];
+                before += one.kinds[1];
+                ring += 1;
+            }
+        }
+        tables.ignitions = due;
+        if tables.faces.is_empty() {
+            tables.faces = vec![SpreadFace::default()];
+            tables.edges = vec![SpreadEdge::default(); 3];
+        }
+        if tables.features.is_empty() {
+            tables.features = vec![SpreadFeature::default()];
+        }
+        Ok(tables)
+    }
+
+    /// Whether a run with these tables can go on with the others.
+    pub(super) fn cover(&self, other: &Self) -> bool {
+        let is_here = |(own, other): (&(u64, f32, u32), &(u64, f32, u32))| {
+            (own.0, own.2) == (other.0, other.2) && own.1 >= other.1
+        };
+        self.ignitions == other.ignitions
+            && self.stored.len() == other.stored.len()
+            && self.stored.iter().zip(&other.stored).all(is_here)
+    }
+
+    /// The rings that begin in a frame; one without points where there are none.
+    pub(super) fn due(&self, frame: i32) -> Vec<layout::Ignition> {
+        let is_due = |(at, _): &&(u32, layout::Ignition)| i64::from(*at) == i64::from(frame);
+        let due = self.ignitions.iter().filter(is_due);
+        let mut due: Vec<layout::Ignition> = due.map(|(_, one)| *one).collect();
+        if due.is_empty() && !self.ignitions.is_empty() {
+            due.push(layout::Ignition::default());
+        }
+        due
+    }
+
+    /// The most points that begin in one frame.
+    pub(crate) fn most_ignited(&self) -> u32 {
+        let all = self.ignitions.iter().map(|(_, one)| one.order[2]);
+        all.max().unwrap_or(0)
+    }
+
+    fn add(&mut self, spread: &FireSpread, reach: f32) -> Result<u32, PlanError> {
+        let surface = &spread.surface;
+        let first = self.faces.len() as u32;
+        let stored = (surface.digest(), reach, first);
+        self.stored.push(stored);
+        if self.faces.len() + surface.faces().len() > MOST_FACES {
+            return Err(PlanError {
+                message: format!(
+                    "fires spread over {} faces",
+                    self.faces.len() + surface.faces().len()
+                ),
+                help: format!("at most {MOST_FACES} in all"),
+            });
+        }
+        for (at, face) in (0..).zip(surface.faces()) {
+            let near = surface.features_near(at, f64::from(reach));
+            let features = [
+                self.features.len() as u32,
+                near.len() as u32,
+                face.source,
+                0,
+            ];
+            self.faces.push(face_of(face, features));
+            for feature in near {
+                let [x, y] = feature.from;
+                let [along_x, along_y] = feature.along;
+                let square = along_x * along_x + along_y * along_y;
+                self.features.push(SpreadFeature {
+                    line: [x, y, along_x, along_y].map(|x| snap(x as f32)),
+                    bend: [feature.dihedral as f32, (1.0 / square) as f32, 0.0, 0.0].map(snap),
+                });
+            }
+            if self.features.len() > MOST_FEATURES {
+                return Err(PlanError {
+                    message: format!(
+                        "`curvature_distance` {reach} reaches too many edges of {}",
+                        spread.mesh.name()
+                    ),
+                    help: "a smaller one, or a mesh with larger faces".into(),
+                });
+            }
+        }
+        for (at, half) in surface.half_edges().iter().enumerate() {
+            let corner = surface.faces()[at / 3].corners[at % 3];
+            self.edges.push(edge_of(half, corner, 3 * first));
+        }
+        Ok(first)
+    }
+}
+
+fn face_of(face: &SurfaceFace, features: [u32; 4]) -> SpreadFace {
+    let row =
+        |i: usize| [face.x[i], face.y[i], face.normal[i], face.origin[i]].map(|x| snap(x as f32));
+    SpreadFace {
+        fire_from_face_x: row(0),
+        fire_from_face_y: row(1),
+        fire_from_face_z: row(2),
+        features,
+    }
+}
+
+fn edge_of(half: &HalfEdge, corner: [f64; 2], first_half: u32) -> SpreadEdge {
+    let [nx, ny] = half.inward;
+    let quarter = (0.25 * half.around / std::f64::consts::TAU) as f32;
+    let [x, y] = corner.map(|x| x as f32);
+    let beyond = match half.twin {
+        NO_EDGE => layout::NO_EDGE,
+        twin => first_half + twin,
+    };
+    SpreadEdge {
+        line: [nx, ny, half.offset, half.length].map(|x| snap(x as f32)),
+        corner: [x, y, cos_turns(quarter), sin_turns(quarter)].map(snap),
+        turn: half.turn.map(|x| snap(x as f32)),
+        ties: [beyond, u32::from(half.around > 0.0), 0, 0],
+    }
+}
+
+/// The fires that spread, with their slots among fires.
+pub(super) fn spreads_of(scene: &Scene) -> impl Iterator<Item = (usize, &FireSpread)> {
+    let fires = scene.fires.iter().enumerate();
+    fires.filter_map(|(at, fire)| Some((at, fire.spread.as_ref()?)))
+}
+
+/// The spreads of a frame.
+pub(super) fn spread_frames(now: &Scene) -> Vec<SpreadFrame> {
+    spreads_of(now)
+        .map(|(at, spread)| {
+            let [opposed, concurrent] = spread.fluxes();
+            // K = pi rho dh (equation 3.4).
+            let divisor = std::f32::consts::PI * spread.ignition_heat;
+            let factor = spread.time_scale / divisor;
+            // Two pieces meet whose points are no farther apart than they are long and steps are.
+            let longest_step = MOST_AIR * (opposed + concurrent) * factor;
+            // No farther than a few points, since drivers end long loops; steps that long leave gaps.
+            let reach = 4.0 * spread.separation + 2.0 * longest_step;
+            let reach = reach.min(8.0 * spread.separation).clamp(1e-6, 1e6);
+            let rates = [opposed, concurrent, factor, 1.0 / spread.curvature_distance];
+            SpreadFrame {
+                rates: rates.map(snap),
+                distances: [
+                    spread.separation,
+                    spread.drop_distance,
+                    // Somewhat larger than what is looked at, so that rounding loses nobody.
+                    1.0 / (1.01 * reach),
+                    reach,
+                ]
+                .map(snap),
+                kinds: [at as u32, flags_of(spread), 0, 0],
+            }
+        })
+        .collect()
+}
+
+fn flags_of(spread: &FireSpread) -> u32 {
+    let heading = match spread.heading {
+        FrontHeading::Ray => 0,
+        FrontHeading::Normal => SPREAD_NORMAL,
+    };
+    let insertion = match spread.insertion {
+        Insertion::Arc => 0,
+        Insertion::Midpoint => SPREAD_MIDPOINT,
+    };
+    let curvature = match spread.curvature {
+        Curvature::Exposed => 0,
+        Curvature::Literal => SPREAD_LITERAL,
+        Curvature::Ignored => SPREAD_FLAT,
+    };
+    let blocks = match spread.prevents_double_burning {
+        true => SPREAD_BLOCKS,
+        false => 0,
+    };
+    heading | insertion | curvature | blocks
+}

@@ -1,0 +1,81 @@
+//! `[fire.spread]`, with what is in it.
+
+use crate::scene::files::Files;
+use crate::scene::read::{Reader, Spot};
+use crate::scene::schema::{FORMULA, IGNITION, SPREAD};
+use crate::scene::values::{Quantity, choice, list, whole32};
+use crate::scene::{
+    Curvature, FireSpread, FluxFormula, FrontHeading, Ignition, Insertion, SceneError,
+};
+
+pub(super) fn spread(spot: &Spot<'_>, files: &Files) -> Result<FireSpread, SceneError> {
+    let table = Reader::new(spot.path.clone(), SPREAD, spot.node)?;
+    let scale = table.must("scale", Quantity::read)?;
+    let (mesh, surface) = table.must("mesh", |spot| {
+        let mesh = files.mesh(spot)?;
+        let surface = files.surface(spot, &mesh, scale)?;
+        Ok((mesh, surface))
+    })?;
+    let distance = |key: &str, share: f64| -> Result<f32, SceneError> {
+        let by_itself = (share * surface.mean_edge_length()).clamp(1e-6, 1e4) as f32;
+        Ok(table.may(key, Quantity::read)?.unwrap_or(by_itself))
+    };
+    let ignitions = table.must("ignition", |spot| list(spot, |_, spot| ignition(spot)))?;
+    if ignitions.is_empty() {
+        let what = format!("`{}` is empty", table.path_of("ignition"));
+        let help = "at least one table with a position";
+        return Err(table.at("ignition").error(what, help));
+    }
+    Ok(FireSpread {
+        ignitions,
+        time_scale: table.must("time_scale", Quantity::read)?,
+        opposed_flux: table.must("opposed_flux", Quantity::read)?,
+        concurrent_flux: table.must("concurrent_flux", Quantity::read)?,
+        ignition_heat: table.must("ignition_heat", Quantity::read)?,
+        formula: table.may("formula", formula)?,
+        drop_distance: distance("drop_distance", 0.2)?,
+        separation: distance("separation", 0.1)?,
+        curvature_distance: distance("curvature_distance", 0.1)?,
+        curvature: [Curvature::Exposed, Curvature::Literal, Curvature::Ignored]
+            [table.must("curvature", choice)?],
+        heading: [FrontHeading::Ray, FrontHeading::Normal][table.must("heading", choice)?],
+        insertion: [Insertion::Arc, Insertion::Midpoint][table.must("insertion", choice)?],
+        prevents_double_burning: table.must("double_burning", choice)? == 0,
+        max_points: table.must("max_points", whole32)?,
+        mesh,
+        surface,
+    })
+}
+
+fn ignition(spot: &Spot<'_>) -> Result<Ignition, SceneError> {
+    let table = Reader::new(spot.path.clone(), IGNITION, spot.node)?;
+    Ok(Ignition {
+        position: table.must("position", Quantity::read)?,
+        first_frame: table.must("first_frame", whole32)?,
+        points: table.must("points", whole32)?,
+    })
+}
+
+fn formula(spot: &Spot<'_>) -> Result<FluxFormula, SceneError> {
+    let table = Reader::new(spot.path.clone(), FORMULA, spot.node)?;
+    let formula = FluxFormula {
+        flame_temperature: table.must("flame_temperature", Quantity::read)?,
+        fuel_temperature: table.must("fuel_temperature", Quantity::read)?,
+        conductivity: table.must("conductivity", Quantity::read)?,
+        emissivity: table.must("emissivity", Quantity::read)?,
+        flame_length: table.must("flame_length", Quantity::read)?,
+        flame_angle_degrees: table.must("flame_angle_degrees", Quantity::read)?,
+        thickness: table.must("thickness", Quantity::read)?,
+    };
+    if formula.fuel_temperature > formula.flame_temperature {
+        let what = format!(
+            "`{}` is {}, hotter than the flame's {}",
+            table.path_of("fuel_temperature"),
+            formula.fuel_temperature,
+            formula.flame_temperature
+        );
+        let help = "a fuel that is not hotter than the flame";
+        return Err(table.at("fuel_temperature").error(what, help));
+    }
+    Ok(formula)
+}

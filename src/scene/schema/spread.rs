@@ -1,0 +1,47 @@
+//! The tables of fires that spread. A row is as in the other tables.
+
+use super::rows::{PLACE, default, keyed, numbers, optional, required, text, whole};
+use super::{Field, Kind};
+
+/// Keys of `[fire.spread]` (Perry 1994, 3.3; ranges of Table 3.1 are for edges of 0.5).
+#[rustfmt::skip] // one row a line
+pub const SPREAD: &[Field] = &[
+    required("mesh", text(1000, false), "\"cube\"", "", "what burns: a file in the scene's folder that ends in .obj, .ply, .gltf or .glb; or cube, cylinder, plane, sphere or torus, which need none", "Perry 3.3.2"),
+    default("scale", numbers(1, 1e-6, 1e4), "1", "world units", "what a unit of the mesh is", ""),
+    required("ignition", Kind::Tables { fields: IGNITION, max: 256 }, "[{ position = [0, 0, 1] }]", "", "where and when it begins to burn, one `[[fire.spread.ignition]]` each", "Perry 3.3.2"),
+    keyed(default("time_scale", numbers(1, 0.0, 1e3), "0.04", "", "K, factor of all speeds; the thesis' slider goes from 0.004 to 0.4", "Perry 3.5.1")),
+    keyed(default("opposed_flux", numbers(1, 0.0, 1e9), "0.09", "", "q_o, heat that reaches the fuel whichever way the wind is", "Perry 3.3.1")),
+    keyed(default("concurrent_flux", numbers(1, 0.0, 1e9), "0.13", "", "q_c, heat that reaches it besides where the wind lays flames over it", "Perry 3.3.1")),
+    keyed(default("ignition_heat", numbers(1, 1e-6, 1e12), "0.5", "", "rho dh, heat that it takes to burn; pi times that is the K below equation 3.4", "Perry 3.3.1")),
+    optional("formula", Kind::Table(FORMULA), "{ thickness = 0.002 }", "", "what opposed_flux and concurrent_flux are computed from, instead of those", "Perry 3.3.1"),
+    keyed(optional("drop_distance", DISTANCE, "0.1", "world units", "d_d, how far a control point goes from one flame that it drops to the next; the thesis' slider goes from 0.01 to 1; a fifth of the mean edge if left out", "Perry 3.4")),
+    keyed(optional("separation", DISTANCE, "0.05", "world units", "d_s, how far apart neighbours are when a point comes between, one in each frame; the thesis' slider goes from 0.01 to 0.2; a tenth of the mean edge if left out", "Perry 3.3.2")),
+    keyed(optional("curvature_distance", DISTANCE, "0.05", "world units", "d_t, how near an edge has to be to count; the thesis' slider goes from 0.01 to 0.5; a tenth of the mean edge if left out", "Perry 3.3.1")),
+    default("curvature", Kind::Choice(&["exposed", "literal", "ignored"]), "\"exposed\"", "", "whether fire is faster at outer edges and slower at inner ones by the angle of exposed air; as equation 3.4 is written, by which nothing burns where it is flat; or no edge counts", "Perry 3.3.1"),
+    default("heading", Kind::Choice(&["ray", "normal"]), "\"ray\"", "", "whether control points keep their headings, or head along the front's normal", "Perry 3.3.2"),
+    default("insertion", Kind::Choice(&["arc", "midpoint"]), "\"arc\"", "", "whether a point comes onto the arc that its neighbours' headings span, or halfway between them", "Perry 3.3.2"),
+    default("double_burning", Kind::Choice(&["prevented", "ignored"]), "\"prevented\"", "", "whether control points stop where they meet what has burnt; on a plane with one ignition that never happens", "Perry 3.3.2"),
+    default("max_points", whole(8, 1_000_000), "20_000", "points", "most control points; what has no room is counted as dropped", ""),
+];
+
+/// Keys of each `[[fire.spread.ignition]]`.
+#[rustfmt::skip] // one row a line
+pub const IGNITION: &[Field] = &[
+    required("position", PLACE, "[0, 0, 1]", "world units", "where, in the fire's space; the nearest place of the surface is meant", "Perry 3.3.2"),
+    default("first_frame", whole(0, 1_000_000), "0", "frames", "when", ""),
+    default("points", whole(3, 4096), "16", "points", "how many control points it begins with; the thesis has eight or more", "Perry 3.3.2"),
+];
+
+/// Keys of `[fire.spread.formula]`.
+#[rustfmt::skip] // one row a line
+pub const FORMULA: &[Field] = &[
+    default("flame_temperature", numbers(1, 1.0, 1e4), "1500", "kelvin", "T_f", "Perry 3.3.1"),
+    default("fuel_temperature", numbers(1, 0.0, 1e4), "300", "kelvin", "T_i", "Perry 3.3.1"),
+    default("conductivity", numbers(1, 0.0, 1e4), "0.05", "watts a metre and kelvin", "lambda_g of the gas; where fuel is thick, lambda_s of the solid", "Perry 3.3.1"),
+    default("emissivity", numbers(1, 0.0, 1.0), "0.1", "", "epsilon_f of the flame", "Perry 3.3.1"),
+    default("flame_length", numbers(1, 0.0, 1e3), "0.05", "metres", "h_f", "Perry 3.3.1"),
+    default("flame_angle_degrees", numbers(1, 0.0, 180.0), "30", "degrees", "Theta_f, between the flame and the surface", "Perry 3.3.1"),
+    required("thickness", numbers(1, 1e-6, 1e3), "0.002", "metres", "L, of the fuel", "Perry 3.3.1"),
+];
+
+const DISTANCE: Kind = numbers(1, 1e-6, 1e4);

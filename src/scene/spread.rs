@@ -1,0 +1,129 @@
+//! How a fire spreads over a mesh (Perry 1994, 3.3): its front's control points, and their speed.
+
+use std::sync::Arc;
+
+use crate::mesh::{Mesh, Surface};
+
+/// A front that burns its way over a surface, in its fire's space.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FireSpread {
+    /// The mesh as it was read.
+    pub mesh: Arc<Mesh>,
+    /// The same, scaled and ready to be walked on.
+    pub surface: Arc<Surface>,
+    /// Where and when it begins, at least one, at most 256.
+    pub ignitions: Vec<Ignition>,
+    /// K of Table 3.1: factor of all speeds, 0 ..= 1,000. Default 0.04.
+    pub time_scale: f32,
+    /// q_o, heat that the opposed mechanism conveys, 0 ..= 10^9. Default 0.09.
+    pub opposed_flux: f32,
+    /// q_c, heat that the concurrent mechanism conveys along the wind, 0 ..= 10^9. Default 0.13.
+    pub concurrent_flux: f32,
+    /// rho dh, heat that a unit of volume takes to burn, 0.000001 ..= 10^12. Default 0.5.
+    pub ignition_heat: f32,
+    /// What q_o and q_c are computed from instead, if they are.
+    pub formula: Option<FluxFormula>,
+    /// d_d, world units between flames that a control point drops, 0.000001 ..= 10,000.
+    pub drop_distance: f32,
+    /// d_s, world units between neighbours from which on a point comes between, 0.000001 ..= 10,000.
+    pub separation: f32,
+    /// d_t, world units from an edge within which it counts, 0.000001 ..= 10,000.
+    pub curvature_distance: f32,
+    /// What edges do.
+    pub curvature: Curvature,
+    /// Where control points head.
+    pub heading: FrontHeading,
+    /// Where points come between.
+    pub insertion: Insertion,
+    /// Whether control points stop where it has burnt. Default yes.
+    pub prevents_double_burning: bool,
+    /// Control points at most, 8 ..= 1,000,000. Default 20,000.
+    pub max_points: u32,
+}
+
+/// A place where a fire begins.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ignition {
+    /// In the fire's space; the nearest place of the surface is meant.
+    pub position: [f32; 3],
+    /// When, 0 ..= 1,000,000. Default 0.
+    pub first_frame: u32,
+    /// How many control points it begins with, 3 ..= 4,096. Default 16.
+    pub points: u32,
+}
+
+/// What the heat fluxes come from (Perry 1994, 3.3.1), in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FluxFormula {
+    /// T_f, kelvin, 1 ..= 10,000.
+    pub flame_temperature: f32,
+    /// T_i, kelvin, 0 ..= 10,000.
+    pub fuel_temperature: f32,
+    /// lambda_g of the gas, or lambda_s of a thick solid, W/(m K), 0 ..= 10,000.
+    pub conductivity: f32,
+    /// epsilon_f, 0 ..= 1.
+    pub emissivity: f32,
+    /// h_f, metres, 0 ..= 1,000.
+    pub flame_length: f32,
+    /// Theta_f, degrees, 0 ..= 180.
+    pub flame_angle_degrees: f32,
+    /// L, metres, 0.000001 ..= 1,000.
+    pub thickness: f32,
+}
+
+/// How edges change the speed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Curvature {
+    /// By the angle of air that is exposed: faster at outer edges, slower at inner ones.
+    Exposed,
+    /// As equation 3.4 is written: nothing moves where it is flat.
+    Literal,
+    /// Not at all.
+    Ignored,
+}
+
+/// Where control points head.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FrontHeading {
+    /// Each keeps its own heading, straight on over the surface.
+    Ray,
+    /// Along the front's normal.
+    Normal,
+}
+
+/// Where a point comes between two.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Insertion {
+    /// On the arc that the two headings span.
+    Arc,
+    /// In the middle.
+    Midpoint,
+}
+
+impl FluxFormula {
+    /// Stefan and Boltzmann's constant, W m^-2 K^-4.
+    pub const STEFAN_BOLTZMANN: f32 = 5.670_374e-8;
+
+    /// q_o = lambda (T_f - T_i)/L (equation 3.3).
+    pub fn opposed_flux(&self) -> f32 {
+        self.conductivity * (self.flame_temperature - self.fuel_temperature) / self.thickness
+    }
+
+    /// q_c = epsilon sigma T_f^4 h_f sin(Theta_f)/L.
+    pub fn concurrent_flux(&self) -> f32 {
+        let square = self.flame_temperature * self.flame_temperature;
+        let sine = crate::transcendental::sin_turns(self.flame_angle_degrees / 360.0);
+        let radiated = self.emissivity * Self::STEFAN_BOLTZMANN * square * square;
+        radiated * self.flame_length * sine / self.thickness
+    }
+}
+
+impl FireSpread {
+    /// q_o and q_c, given or computed.
+    pub fn fluxes(&self) -> [f32; 2] {
+        match &self.formula {
+            Some(formula) => [formula.opposed_flux(), formula.concurrent_flux()],
+            None => [self.opposed_flux, self.concurrent_flux],
+        }
+    }
+}

@@ -1,0 +1,15 @@
+//! Fires that spread (Perry 1994, 3.3): surfaces, speeds, fronts, and every adapter against the
+//! processor.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod areas;
+mod burnt;
+mod edges;
+mod front;
+mod keys;
+mod speed;
+mod support;
+mod surfaces;
+mod twins;
