@@ -8,6 +8,7 @@ use std::fs::{self, File, Permissions};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
+use super::made::MadeFolders;
 use super::special::{end_of_links, is_special, parent_folder, special};
 use super::{OutputError, hidden};
 
@@ -29,6 +30,8 @@ struct Renaming {
     final_path: PathBuf,
     /// Those of the file that is replaced.
     permissions: Option<Permissions>,
+    /// Gone if the file does not come.
+    _made: MadeFolders,
 }
 
 impl AtomicFile {
@@ -64,7 +67,7 @@ impl AtomicFile {
             Err(_) => end_of_links(path)?,
         };
         let folder = parent_folder(&final_path);
-        fs::create_dir_all(folder).map_err(|error| {
+        let made = MadeFolders::make(folder).map_err(|error| {
             let attempt = format!("create the folder {}", folder.display());
             OutputError::io(path, &attempt, error)
         })?;
@@ -80,6 +83,7 @@ impl AtomicFile {
                 temporary_path,
                 final_path,
                 permissions,
+                _made: made,
             }),
         })
     }
@@ -166,9 +170,4 @@ pub(crate) fn probe(path: &Path) -> Result<(), OutputError> {
         return Ok(());
     }
     AtomicFile::begin(path).map(drop)
-}
-
-/// Creates a folder with all that are missing above it; no error where it exists.
-pub(crate) fn create_folder(folder: &Path) -> Result<(), OutputError> {
-    fs::create_dir_all(folder).map_err(|error| OutputError::io(folder, "create the folder", error))
 }

@@ -8,8 +8,9 @@ use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use super::OutputError;
-use super::atomic::{AtomicFile, create_folder};
+use super::atomic::AtomicFile;
 use super::hidden::{hidden_prefix, token};
+use super::made::MadeFolders;
 
 /// Folders of one name that may stand beside each other.
 const MOST_OF_A_NAME: u32 = 10_000;
@@ -19,13 +20,16 @@ pub(crate) struct AtomicFolder {
     hidden: PathBuf,
     parent: PathBuf,
     name: String,
+    /// Those above it, gone if it does not come.
+    _made: MadeFolders,
 }
 
 impl AtomicFolder {
     /// Starts a folder that shall stand in `parent` under `name`, which must be fit for a file name.
     /// Folders that are missing above it are created.
     pub(crate) fn create(parent: &Path, name: &str) -> Result<Self, OutputError> {
-        create_folder(parent)?;
+        let made = MadeFolders::make(parent)
+            .map_err(|error| OutputError::io(parent, "create the folder", error))?;
         let prefix = hidden_prefix(token());
         for number in 0..MOST_OF_A_NAME {
             let hidden = parent.join(format!("{prefix}{name}-{number}"));
@@ -38,6 +42,7 @@ impl AtomicFolder {
                         hidden,
                         parent: parent.to_owned(),
                         name: name.to_owned(),
+                        _made: made,
                     });
                 }
             }

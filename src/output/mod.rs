@@ -28,6 +28,7 @@ mod folder;
 mod gif;
 mod hidden;
 mod layer;
+pub(crate) mod made;
 mod mp4;
 mod pattern;
 mod picture;

@@ -49,8 +49,11 @@ impl<'a> Reader<'a> {
         };
         if let Some(Entry { key, at, .. }) = entries.iter().find(|e| !keys().any(|k| k == e.key)) {
             let guess = match outer_table(&path, key) {
-                outer if outer.is_empty() => did_you_mean_one_of(key, keys()),
-                outer => outer,
+                outer if !outer.is_empty() => outer,
+                _ => match did_you_mean_one_of(key, keys()) {
+                    guess if guess.is_empty() => other_tables(key),
+                    guess => guess,
+                },
             };
             let help = format!("{guess}The table has {}", keys_in_words(&fields));
             let key = shortened(key);
@@ -260,6 +263,15 @@ fn outer_table(path: &str, key: &str) -> String {
                  follow, for what stands below a header belongs to it. "
             )
         }
+    }
+}
+
+/// A hint where no key here is like it, but tables elsewhere have one of just that name.
+fn other_tables(key: &str) -> String {
+    let headers = schema::tables_with(key);
+    match headers.as_slice() {
+        [] => String::new(),
+        headers => format!("`{key}` is a key in `{}`. ", headers.join("`, `")),
     }
 }
 

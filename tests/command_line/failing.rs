@@ -104,6 +104,35 @@ fn a_limit_of_files_is_an_error_and_leaves_nothing_half_written() {
 }
 
 #[test]
+fn folders_made_for_what_does_not_come_go_again() {
+    let here = Workshop::new();
+    let outputs = [
+        "-o new/a/x.png --frame 3",
+        "-o new/a/b",
+        "-o new/a/x-%d.png --frames 2..5",
+        "-o new/a/x.gif",
+        "-o new/a/x.svg --frame 3",
+        "-o kept.png --frame 3 --stats new/s/t.csv --dump 3 --dump-dir new/dumps",
+    ];
+    std::fs::create_dir(here.path("own")).expect("a temporary folder can be written");
+    for output in outputs {
+        for output in [output.to_owned(), output.replace("new", "own/new")] {
+            let run = format!("$MOTES render sparks.toml --adapter cpu --size 320x180 {output}");
+            let script = format!("trap '' XFSZ; ulimit -f 0; {run} 2>&1");
+            let ended = Ended::of(Ok(shell(&here, &[], &script)));
+            assert_eq!(ended.code, 3, "{output}: {}", ended.stdout);
+            assert!(!here.path("new").exists(), "{output}: {:?}", here.files());
+            assert!(here.path("own").exists(), "{output}");
+            assert!(
+                !here.path("own/new").exists(),
+                "{output}: {:?}",
+                here.files()
+            );
+        }
+    }
+}
+
+#[test]
 fn a_film_that_does_not_fit_on_the_disk_is_no_film() {
     let here = Workshop::new();
     let has_ffmpeg = Command::new("ffmpeg").arg("-version").output().is_ok();

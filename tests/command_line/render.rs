@@ -287,3 +287,57 @@ fn size_seed_and_set_change_the_scene_and_inputs_change_it_from_their_frame_on()
         assert_eq!(same, frame < 4, "frame {frame}");
     }
 }
+
+#[test]
+fn where_there_is_nothing_to_see_it_says_what_was_alive() {
+    let here = Workshop::new();
+    here.write(
+        "far.toml",
+        r#"frames = 2
+
+[image]
+width = 32
+height = 18
+[camera]
+position = [0, 0, 900]
+target = [0, 0, 1000]
+[[flock]]
+name = "starlings"
+count = 7
+region = { min = [0, 0, 0], max = [5, 3, 0] }
+"#,
+    );
+    let nothing = "nothing to see in these pictures: ";
+    let told: &[(&str, &[&str], &str)] = &[
+        (
+            "sparks.toml",
+            &[
+                "--set",
+                "system.sparks.initial_mean_parts=0",
+                "--set",
+                "system.sparks.var_parts=0",
+            ],
+            "nothing was alive",
+        ),
+        (
+            "sparks.toml",
+            &["--set", "system.sparks.color=[0,0,0]"],
+            " particles were alive, but dark",
+        ),
+        ("far.toml", &[], "up to 7 boids were alive, but dark"),
+    ];
+    let run = |scene: &str, more: &[&str]| {
+        let ended = here.run(&[&["render", scene, "--adapter", "cpu", "-o", "all"], more].concat());
+        assert_eq!(ended.code, 0, "{}", ended.stderr);
+        ended.stderr
+    };
+    for (scene, more, who) in told {
+        let stderr = run(scene, more);
+        assert!(stderr.contains(nothing) && stderr.contains(who), "{stderr}");
+    }
+    // Of one pixel nobody knows.
+    let stderr = run("sparks.toml", &["--size", "1x1"]);
+    assert!(!stderr.contains(nothing), "{stderr}");
+    let stderr = run("sparks.toml", &[]);
+    assert!(!stderr.contains(nothing), "{stderr}");
+}

@@ -90,14 +90,18 @@ pub(crate) fn mutant(corpus: &[String], number: u64) -> String {
     text
 }
 
-/// A byte flipped, or a few deleted or doubled.
+/// A byte flipped, a few deleted or doubled, or many of one put in between.
 fn bytes(text: &str, random: &mut Random) -> String {
     let mut bytes = text.as_bytes().to_vec();
     let at = random.below(bytes.len());
     let end = (at + 1 + random.below(20)).min(bytes.len());
-    match random.below(3) {
+    match random.below(4) {
         0 if at < bytes.len() => bytes[at] ^= 1 << random.below(8),
         1 => drop(bytes.drain(at..end)),
+        2 => {
+            let run = vec![random.of(b"\r\n\t \"'[{#\0"); 1 + random.below(400)];
+            drop(bytes.splice(at..at, run));
+        }
         _ => {
             let copy = bytes[at..end].to_vec();
             drop(bytes.splice(at..at, copy));

@@ -226,6 +226,28 @@ fn a_key_of_an_outer_table_is_said_to_be_one() {
     // What is a key nowhere around gets no such hint.
     let error = refused(&(MINIMAL.to_owned() + "[image]\nspeed = 1\n"));
     assert!(!error.help().contains("write it there"), "{error}");
+    // It is told where else there is one, and no more than that of what is nowhere.
+    for (text, told) in [
+        (
+            MINIMAL.to_owned() + "[image]\nspeed = 1\n",
+            "`speed` is a key in `[[system]]`, `[[fire]]`, ",
+        ),
+        (
+            format!("background = [0, 0, 0]\n{MINIMAL}"),
+            "`background` is a key in `[image]`. The table has",
+        ),
+        (
+            format!("radius = 1\n{MINIMAL}"),
+            "`radius` is a key in `[planet]`, `[ground]`, `[[pillar]]`. The",
+        ),
+        (
+            MINIMAL.to_owned() + "[image]\nqwertz = 1\n",
+            "The table has",
+        ),
+    ] {
+        let error = refused(&text);
+        assert!(error.help().starts_with(told), "{error}");
+    }
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 
 use clap::Parser;
 
@@ -114,7 +115,7 @@ struct Arguments {
 
 /// Checks the scene in a new folder, which the reports go to.
 fn check(name: &str, defect: Defect) -> (Result<u8, (u8, String)>, std::path::PathBuf) {
-    let folder = std::env::temp_dir().join(format!("motes-check-{name}-{}", std::process::id()));
+    let folder = std::env::temp_dir().join(format!("motes-check's {name}-{}", std::process::id()));
     fs::create_dir_all(&folder).expect("writable");
     let path = |file: &str| folder.join(file).to_str().expect("UTF-8").to_owned();
     fs::write(path("ball.toml"), SCENE).expect("writable");
@@ -179,6 +180,15 @@ fn a_wrong_adapter_is_exit_code_1_and_stands_in_every_report() {
             "Compared with:      cpu (motes ",
         ],
     );
+    // Read as a shell reads it: an apostrophe in the scene's path ends no text early.
+    let command = readme
+        .lines()
+        .find_map(|line| line.trim().strip_prefix("motes check "));
+    let command = format!("set -- {}; echo \"$1\"", command.expect("it is told"));
+    let said = Command::new("sh").args(["-c", &command]).output();
+    let scene = folder.join("ball.toml");
+    let said = String::from_utf8(said.expect("there is a shell").stdout).expect("UTF-8");
+    assert_eq!(Path::new(said.trim_end()), scene);
     fs::remove_dir_all(&folder).expect("removable");
 }
 

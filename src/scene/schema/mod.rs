@@ -230,7 +230,14 @@ fn default_mean(toml: &'static str) -> &'static str {
 
 /// The list of tables that tables of this key stand in, if not in the file itself.
 pub(in crate::scene) fn parent_of(key: &str) -> Option<&'static str> {
-    let has = |fields: &[Field]| fields.iter().any(|field| field.key == key);
+    let is_it = |field: &Field| {
+        let is_table = matches!(
+            field.kind,
+            Kind::Table(_) | Kind::Tables { .. } | Kind::List { .. }
+        );
+        is_table && field.key == key
+    };
+    let has = |fields: &[Field]| fields.iter().any(is_it);
     [
         ("system", SYSTEM),
         ("flock", FLOCK),
@@ -267,4 +274,32 @@ pub(super) fn around(path: &str) -> Vec<(String, &'static [Field])> {
         };
     }
     tables
+}
+
+/// The headers of all tables that have such a key, outer ones first.
+pub(super) fn tables_with(key: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    let mut below = vec![(String::new(), SCENE)];
+    while !below.is_empty() {
+        let mut next = Vec::new();
+        for (path, fields) in below {
+            for field in fields {
+                let path = match path.as_str() {
+                    "" => field.key.to_owned(),
+                    path => format!("{path}.{}", field.key),
+                };
+                let (header, fields) = match field.kind {
+                    Kind::Table(fields) => (format!("[{path}]"), fields),
+                    Kind::Tables { fields, .. } => (format!("[[{path}]]"), fields),
+                    _ => continue,
+                };
+                if fields.iter().any(|field| field.key == key) {
+                    found.push(header);
+                }
+                next.push((path, fields));
+            }
+        }
+        below = next;
+    }
+    found
 }

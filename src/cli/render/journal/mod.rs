@@ -16,6 +16,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use crate::cli::CliError;
+use crate::output::made::MadeFolders;
 use crate::output::{
     AtomicFile, OutputError, OutputTarget, Rgba8Image, hidden_prefix, is_special, read_png, token,
     write_png,
@@ -42,6 +43,8 @@ pub(super) struct Journal {
     is_empty: bool,
     /// What processes before this one may have left.
     leftovers: Leftovers,
+    /// The folder of the outputs with those above it, if this run has made them: gone if nothing comes.
+    _made: MadeFolders,
 }
 
 /// Hidden files that killed processes of a run had begun to write.
@@ -68,10 +71,10 @@ pub(super) fn place(target: &OutputTarget, frames: &Range<u32>) -> Option<PathBu
 
 impl Journal {
     /// Opens and locks the journal in the folder, which is made if it is not there; what it says.
-    fn open(folder: &Path) -> Result<(File, String), CliError> {
+    fn open(folder: &Path) -> Result<(File, String, MadeFolders), CliError> {
         let path = folder.join(NAME);
         let failed = |attempt: &str, error| OutputError::io(&path, attempt, error);
-        fs::create_dir_all(folder)
+        let made = MadeFolders::make(folder)
             .map_err(|e| OutputError::io(folder, "keep a journal in the folder", e))?;
         let mut file = OpenOptions::new()
             .read(true)
@@ -93,7 +96,7 @@ impl Journal {
         }
         let mut text = Vec::new();
         file.read_to_end(&mut text).map_err(|e| failed("read", e))?;
-        Ok((file, String::from_utf8_lossy(&text).into_owned()))
+        Ok((file, String::from_utf8_lossy(&text).into_owned(), made))
     }
 
     /// Begins a journal, in place of any that there is.
@@ -102,12 +105,13 @@ impl Journal {
         identity: u64,
         outputs: &[PathBuf],
     ) -> Result<Self, CliError> {
-        let (file, text) = Self::open(folder)?;
+        let (file, text, made) = Self::open(folder)?;
         let mut journal = Self {
             folder: folder.to_owned(),
             file,
             is_empty: true,
             leftovers: Leftovers::of(&Finished::of(&text), outputs, folder),
+            _made: made,
         };
         journal.leftovers.sweep();
         journal.cut_off(0)?;
@@ -131,7 +135,7 @@ impl Journal {
         if !folder.join(NAME).is_file() {
             return Ok(None);
         }
-        let (file, text) = Self::open(folder)?;
+        let (file, text, made) = Self::open(folder)?;
         let whole = text.rfind('\n').map_or(0, |end| end + 1);
         let mut lines = text[..whole].lines();
         let head = (lines.next(), lines.next());
@@ -157,6 +161,7 @@ impl Journal {
             file,
             is_empty: false,
             leftovers: Leftovers::of(&finished, outputs, folder),
+            _made: made,
         };
         journal.leftovers.sweep();
         // What a killed process has begun is cut off, or the next line would be joined to it.
