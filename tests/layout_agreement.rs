@@ -11,7 +11,7 @@ use motes::layout::{
     self, AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, FireFrame, Flame, FlameDisc,
     FlameLight, FlockFrame, Frame, FrameStats, Ground, Ignition, Lamp, ListedFlame, Node, Obstacle,
     Particle, Pillar, Planet, Pose, Relation, SpreadCounts, SpreadEdge, SpreadFace, SpreadFeature,
-    SpreadFrame, SpreadPoint, SystemFrame, SystemRow, Walker, Wind,
+    SpreadFrame, SpreadPoint, StripJoint, SystemFrame, SystemRow, Walker, Wind,
 };
 use motes::plan::{BUFFERS, BufferRole, STAGES, Uses, buffer};
 
@@ -264,6 +264,8 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             look,
             inner,
             details,
+            matrix,
+            strip,
             light,
             light_scale,
             kinds,
@@ -320,6 +322,7 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             ignited_from,
         }),
         rust_layout!(FlameDisc { place, center, rim }),
+        rust_layout!(StripJoint { place, extent }),
         rust_layout!(Relation {
             kinds,
             reach,
@@ -430,6 +433,8 @@ fn constants_agree_bit_for_bit() {
         motes::cpu::fan::CONSTANTS,
         motes::cpu::detail::CONSTANTS,
         motes::cpu::draw::flame_discs::CONSTANTS,
+        motes::cpu::draw::strip_joints::CONSTANTS,
+        motes::cpu::strip::CONSTANTS,
         motes::cpu::boid::CONSTANTS,
         motes::cpu::grid::CONSTANTS,
         motes::cpu::steering::CONSTANTS,

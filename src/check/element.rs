@@ -208,6 +208,19 @@ const COVER: Fields = &[
 
 const RED_GREEN: Fields = &[("red", true), ("green", true)];
 
+const SKEW: Fields = &[("x", true), ("y", true)];
+
+const STRIP_JOINT: Fields = &[
+    ("place.x", true),
+    ("place.y", true),
+    ("along.x", true),
+    ("along.y", true),
+    ("half-width", true),
+    ("opacity", true),
+    ("seen", false),
+    ("w", false),
+];
+
 const FLAME_LIGHT: Fields = &[
     ("place.x", true),
     ("place.y", true),
@@ -245,6 +258,8 @@ fn fields(name: &str) -> Fields {
         _ if name == "cover_bt" => BLUE_CLEAR,
         ("Flame", _) => FLAME,
         ("FlameDisc", _) => FLAME_DISC,
+        ("StripJoint", _) => STRIP_JOINT,
+        _ if name == "flame_skews" => SKEW,
         _ if ["flame_steps", "boid_trails"].contains(&name) => PLACE,
         ("SpreadPoint", _) => SPREAD_POINT,
         ("SpreadCounts", _) => SPREAD_COUNTS,

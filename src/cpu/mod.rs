@@ -26,6 +26,7 @@ pub mod shape;
 pub mod spread;
 pub(crate) mod sprite;
 pub mod steering;
+pub mod strip;
 pub mod systems;
 pub mod tree;
 pub mod urge;
@@ -177,6 +178,7 @@ impl CpuBackend {
             }
             Stage::FlameDiscs => self.flames.discs(inputs, DetailPass::default()),
             Stage::Glow => self.flames.glow(inputs, &self.light),
+            Stage::Strips => self.flames.strips(inputs, &self.light),
             Stage::Shapes if self.has_covers => {
                 let rows = &self.rows;
                 self.covers.clear();
@@ -441,6 +443,8 @@ impl Backend for CpuBackend {
             "flames" => bytemuck::cast_slice(&self.flames.flames).to_vec(),
             "flame_steps" => try_copied(bytemuck::cast_slice(&self.flames.steps), "the flames")?,
             "flame_discs" => try_copied(bytemuck::cast_slice(&self.flames.discs), "the flames")?,
+            "flame_skews" => try_copied(bytemuck::cast_slice(&self.flames.skews), "the flames")?,
+            "strip_joints" => try_copied(bytemuck::cast_slice(&self.flames.joints), "the flames")?,
             "flame_sums" => self.flames.sums.clone(),
             "flame_lights" => bytemuck::cast_slice(&self.flames.lights).to_vec(),
             "flame_bounds" => bytemuck::cast_slice(&self.flames.bounds).to_vec(),

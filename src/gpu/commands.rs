@@ -462,6 +462,16 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
         work: Work::DetailShares,
     },
     KernelUse {
+        stage: Stage::Strips,
+        kernel: "draw/strip_joints",
+        work: Work::Flames,
+    },
+    KernelUse {
+        stage: Stage::Strips,
+        kernel: "draw/strips",
+        work: Work::FlameShares,
+    },
+    KernelUse {
         stage: Stage::Resolve,
         kernel: "draw/resolve",
         work: Work::Pixels,

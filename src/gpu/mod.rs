@@ -92,6 +92,8 @@ pub struct GpuBackend {
     has_covers: bool,
     has_planet: bool,
     has_ground: bool,
+    has_skews: bool,
+    has_strips: bool,
     /// Which pool holds the particles.
     current: usize,
     /// Whether newborns stand behind the living: between emit and advance.
@@ -221,6 +223,8 @@ impl GpuBackend {
             has_covers: plan.uses.covers,
             has_planet: plan.uses.planet,
             has_ground: plan.uses.ground,
+            has_skews: plan.uses.skews,
+            has_strips: plan.uses.strips,
             current: 0,
             newborns_present: false,
             points_moved: false,

@@ -94,6 +94,9 @@ impl GpuBackend {
             "flame_bounds" => u64::from(self.flame_count) * 4,
             "flame_steps" => u64::from(self.flame_count * FLAME_STEPS) * 4,
             "flame_discs" => u64::from(self.flame_count * FLAME_STEPS) * DISC_WORDS,
+            "flame_skews" if self.has_skews => u64::from(self.flame_count * FLAME_STEPS) * 2,
+            "strip_joints" if self.has_strips => u64::from(self.flame_count * FLAME_STEPS) * 8,
+            "flame_skews" | "strip_joints" => 0,
             "control_points" => u64::from(self.spread_counts()?.total) * POINT_WORDS,
             // Those that were there before the frame's insertions, as of the last.
             "moved_points" => u64::from(self.moved_count()?) * POINT_WORDS,

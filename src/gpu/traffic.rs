@@ -9,7 +9,7 @@ use super::commands::STAGE_KERNELS;
 use super::sort;
 use crate::layout::{
     Boid, Cover, Dispatch, FLAME_LIGHTS, FLAME_STEPS, Flame, FlameDisc, FlameLight, Node, Particle,
-    Pose, SpreadPoint, SystemFrame, SystemRow, Walker,
+    Pose, SpreadPoint, StripJoint, SystemFrame, SystemRow, Walker,
 };
 use crate::plan::{Stage, Uses};
 
@@ -71,6 +71,9 @@ const BOID: u64 = size_of::<Boid>() as u64;
 const FLAME: u64 = size_of::<Flame>() as u64;
 const FLAME_PLACES: u64 = FLAME_STEPS as u64 * 16;
 const FLAME_DISCS: u64 = FLAME_STEPS as u64 * size_of::<FlameDisc>() as u64;
+
+/// Bytes of the joints of a strip along a flame.
+const STRIP_JOINTS: u64 = FLAME_STEPS as u64 * size_of::<StripJoint>() as u64;
 
 /// Bytes a control point, and what walks for it.
 const POINT: u64 = size_of::<SpreadPoint>() as u64;
@@ -343,6 +346,13 @@ static TABLE: &[Line] = &[
     }),
     ("draw/glow", |load| {
         (load.flames, load.flames * (FLAME_DISCS + 4 * WORD))
+    }),
+    ("draw/strip_joints", |load| {
+        let each = FLAME + FLAME_PLACES + STRIP_JOINTS + 4 * WORD;
+        (load.flames, load.flames * each)
+    }),
+    ("draw/strips", |load| {
+        (load.flames, load.flames * (STRIP_JOINTS + 4 * WORD))
     }),
     ("draw/resolve", |load| {
         let own = load.pixels * (2 * LIMB + WORD);

@@ -19,6 +19,8 @@ shared_constants! {
     pub const ROOTS_MESH: u32 = 4;
     /// [`FireFrame::kinds`]`[3]`: velocities are brought to length 1.
     pub const FIRE_NORMALISED: u32 = 1;
+    /// [`FireFrame::kinds`]`[3]`: a strip is drawn along each flame, not its particles.
+    pub const FIRE_STRIP: u32 = 2;
     /// [`ListedFlame::kinds`]`[1]`: it has a first frame of its own.
     pub const LISTED_FIRST_FRAME: u32 = 1;
 }
@@ -119,6 +121,11 @@ pub struct FireFrame {
     /// Octaves of details; how far they stray as a share of the width; their opacity as a factor; w
     /// unused.
     pub details: [f32; 4],
+    /// Rows of the matrix that each particle is multiplied by after it faces the viewer.
+    pub matrix: [f32; 4],
+    /// Of strips: half the noise cells across, cells a step along, contrast; how far noise changes
+    /// the matrix.
+    pub strip: [f32; 4],
     /// What a weight of 1 throws on a white surface a world unit away; the square of a light's
     /// extent.
     pub light: [f32; 4],
@@ -175,4 +182,14 @@ pub struct FlameDisc {
     pub center: [u32; 4],
     /// The same of the rim.
     pub rim: [u32; 4],
+}
+
+/// Where a strip along a flame bends: 32 bytes. Floats are bits.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+pub struct StripJoint {
+    /// Place in pixels, the unit vector along the flame.
+    pub place: [u32; 4],
+    /// Half-width in pixels, factor of the opacity, 1 if it is seen; w unused.
+    pub extent: [u32; 4],
 }

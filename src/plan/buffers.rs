@@ -5,8 +5,8 @@ use crate::layout::{
     AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, FLAME_LIGHTS, FLAME_STEPS, FireFrame,
     Flame, FlameDisc, FlameLight, FlockFrame, Frame, FrameStats, Ground, Ignition, Lamp,
     ListedFlame, Node, Obstacle, Particle, Pillar, Planet, Pose, Relation, SpreadCounts,
-    SpreadEdge, SpreadFace, SpreadFeature, SpreadFrame, SpreadPoint, SystemFrame, SystemRow,
-    Walker, Wind,
+    SpreadEdge, SpreadFace, SpreadFeature, SpreadFrame, SpreadPoint, StripJoint, SystemFrame,
+    SystemRow, Walker, Wind,
 };
 
 /// What a buffer is for.
@@ -73,6 +73,10 @@ pub enum Count {
     ListedFlames,
     /// So many a flame.
     Flames(u32),
+    /// One for each place of a flame, if particles have a matrix.
+    FlameSkews,
+    /// One for each place of a flame, if strips are drawn.
+    StripJoints,
     /// One a fire that spreads.
     Spreads,
     /// So many for each stored face that fires spread over.
@@ -397,6 +401,14 @@ pub static BUFFERS: &[Buffer] = {
             size_of::<FlameDisc>(),
             Count::Flames(FLAME_STEPS),
         ),
+        buffer_of("flame_skews", State, "vec2<u32>", 8, Count::FlameSkews),
+        buffer_of(
+            "strip_joints",
+            State,
+            "StripJoint",
+            size_of::<StripJoint>(),
+            Count::StripJoints,
+        ),
         buffer_of(
             "flame_sums",
             State,
@@ -533,6 +545,9 @@ impl Buffer {
             Count::Fires(each) => plan.fire_count * each,
             Count::ListedFlames => plan.listed_flame_count,
             Count::Flames(each) => plan.flame_count * each,
+            Count::FlameSkews if plan.uses.skews => plan.flame_count * FLAME_STEPS,
+            Count::StripJoints if plan.uses.strips => plan.flame_count * FLAME_STEPS,
+            Count::FlameSkews | Count::StripJoints => 0,
             Count::Spreads => plan.spread_count,
             Count::SpreadFaces(each) => plan.spreads.faces.len() as u32 * each,
             Count::SpreadFeatures => plan.spreads.features.len() as u32,

@@ -11,7 +11,7 @@ use crate::exact::{normalize_exact, snap};
 use crate::layout::{self, AgeLook, FLAME_STEPS, FireFrame};
 use crate::noise::PERIOD;
 use crate::rng::pcg4d;
-use crate::scene::{Fire, Profile, RampStop, Roots, Scene};
+use crate::scene::{Fire, FlameForm, Profile, RampStop, Roots, Scene};
 use crate::transcendental::sin_turns;
 
 /// Marks hashes that make fires' keys.
@@ -85,11 +85,9 @@ fn fire_frame(
     // Disturbances rise: the places looked at sink through the noise (3.2.3).
     let sunk = (f64::from(fire.sampling) * f64::from(frame)) % PERIOD;
     let offset = up * -(sunk as f32);
-    let flags = if fire.normalised {
-        layout::FIRE_NORMALISED
-    } else {
-        0
-    };
+    let is_strip = fire.form == FlameForm::Strip;
+    let flags = u32::from(fire.normalised) * layout::FIRE_NORMALISED
+        | u32::from(is_strip) * layout::FIRE_STRIP;
     let burning = fire.burning;
     FireFrame {
         world_from_fire_x: here[0],
@@ -146,6 +144,14 @@ fn fire_frame(
             fire.detail_spread,
             fire.detail_alpha,
             0.0,
+        ]
+        .map(snap),
+        matrix: fire.particle_matrix.map(snap),
+        strip: [
+            0.5 * fire.strip_cells[0],
+            fire.strip_cells[1] / STEPS_UP,
+            fire.strip_contrast,
+            fire.matrix_noise,
         ]
         .map(snap),
         light: [0.0; 4],

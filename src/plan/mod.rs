@@ -349,6 +349,7 @@ impl Plan {
             Stage::Shapes | Stage::Cover => self.uses.covers,
             Stage::Front | Stage::Insert => self.spread_count > 0,
             Stage::Block => self.blocks,
+            Stage::Strips => self.uses.strips,
             Stage::Kindle | Stage::Trace | Stage::FlameDiscs | Stage::Glow => self.fire_count > 0,
             _ => true,
         }

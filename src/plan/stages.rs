@@ -1,7 +1,7 @@
 //! The frame, stage by stage. Reading the table is reading the frame.
 
 use super::FrameInputs;
-use crate::layout::{SPREAD_BLOCKS, SpreadFrame};
+use crate::layout::{FIRE_STRIP, FireFrame, SPREAD_BLOCKS, SpreadFrame};
 
 /// A stage of a frame. Backends expand each into their own passes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -48,6 +48,8 @@ pub enum Stage {
     FlameDiscs,
     /// Flames add their light.
     Glow,
+    /// Strips along flames add theirs.
+    Strips,
     /// Light becomes pixels.
     Resolve,
 }
@@ -317,7 +319,7 @@ pub static STAGES: &[StageInfo] = &[
             "flame_steps",
             "layer_planes",
         ],
-        writes: &["flame_discs", "flame_bounds"],
+        writes: &["flame_discs", "flame_skews", "flame_bounds"],
         draws: true,
     },
     StageInfo {
@@ -331,9 +333,30 @@ pub static STAGES: &[StageInfo] = &[
             "flame_steps",
             "layer_planes",
             "flame_discs",
+            "flame_skews",
             "flame_bounds",
         ],
-        writes: &["light_low", "light_high", "flame_discs", "flame_bounds"],
+        writes: &[
+            "light_low",
+            "light_high",
+            "flame_discs",
+            "flame_skews",
+            "flame_bounds",
+        ],
+        draws: true,
+    },
+    StageInfo {
+        stage: Stage::Strips,
+        name: "strips",
+        reads: &[
+            "frame",
+            "fires",
+            "age_looks",
+            "flames",
+            "flame_steps",
+            "layer_planes",
+        ],
+        writes: &["strip_joints", "flame_bounds", "light_low", "light_high"],
         draws: true,
     },
     StageInfo {
@@ -369,6 +392,10 @@ impl Stage {
             Self::Hatch => inputs.hatches && !inputs.flocks.is_empty(),
             Self::Cells | Self::Steer => !inputs.flocks.is_empty(),
             Self::Kindle | Self::Trace | Self::FlameDiscs | Self::Glow => !inputs.fires.is_empty(),
+            Self::Strips => {
+                let is_strip = |fire: &FireFrame| fire.kinds[3] & FIRE_STRIP != 0;
+                inputs.fires.iter().any(is_strip)
+            }
             _ => true,
         }
     }

@@ -23,6 +23,8 @@ impl Plan {
             triangles: self.uses.triangles,
             cones: self.uses.cones,
             mirrors: self.uses.mirrors,
+            skews: self.uses.skews,
+            strips: self.uses.strips,
             ..Uses::all()
         };
         self.blocks = self.spread_count > 0;

@@ -2,9 +2,9 @@
 
 use super::FrameInputs;
 use crate::layout::{
-    BOID_CONE, BOID_TRIANGLE, EDGES_TORUS, FlockFrame, PARTICLE_RECTANGLE, PARTICLE_STREAK,
-    ROW_OVER, Relation, SHAPE_MESH, SystemFrame, SystemRow, WIND_ATTRACTOR, WIND_CURL, WIND_SOURCE,
-    WIND_VORTEX, Wind,
+    BOID_CONE, BOID_TRIANGLE, EDGES_TORUS, FIRE_STRIP, FireFrame, FlockFrame, PARTICLE_RECTANGLE,
+    PARTICLE_STREAK, ROW_OVER, Relation, SHAPE_MESH, SystemFrame, SystemRow, WIND_ATTRACTOR,
+    WIND_CURL, WIND_SOURCE, WIND_VORTEX, Wind,
 };
 
 macro_rules! uses {
@@ -76,6 +76,10 @@ uses! {
     ground "GROUND";
     /// Flames with details.
     details "DETAILS";
+    /// Particles of flames with a matrix.
+    skews "SKEWS";
+    /// Strips along flames.
+    strips "STRIPS";
     /// Flocks whose opposite edges are the same.
     torus "TORUS";
     /// Boids that do not see all around.
@@ -98,6 +102,14 @@ uses! {
     cones "CONES";
     /// Covers that are drawn at the other side of the picture, too.
     mirrors "MIRRORS";
+}
+
+fn has_matrix(fire: &FireFrame) -> bool {
+    fire.matrix != [1.0, 0.0, 0.0, 1.0] || fire.strip[3] > 0.0
+}
+
+fn is_strip(fire: &FireFrame) -> bool {
+    fire.kinds[3] & FIRE_STRIP != 0
 }
 
 fn is_drawn(flock: &FlockFrame) -> bool {
@@ -149,6 +161,8 @@ impl Uses {
         let own = Self {
             planet: !inputs.planets.is_empty(),
             details: inputs.fires.iter().any(|fire| fire.details[0] > 0.0),
+            skews: inputs.fires.iter().any(has_matrix),
+            strips: inputs.fires.iter().any(is_strip),
             ground: !inputs.grounds.is_empty(),
             layers: !inputs.layer_planes.is_empty(),
             covers: inputs.flocks.iter().any(is_drawn),

@@ -59,6 +59,17 @@ pub struct Fire {
     pub detail_spread: f32,
     /// Their opacity as a factor, 0 ..= 100. Default 0.5.
     pub detail_alpha: f32,
+    /// What is drawn along each flame. Default its particles.
+    pub form: FlameForm,
+    /// Noise cells over a strip's width and along it, each 0 ..= 1,000. Default 2 and 5.
+    pub strip_cells: [f32; 2],
+    /// How much of a strip noise takes away, 0 ..= 10. Default 0.6.
+    pub strip_contrast: f32,
+    /// Rows of the matrix that each particle is multiplied by after it faces the viewer, each
+    /// -100 ..= 100; not singular. Default that which changes nothing.
+    pub particle_matrix: [f32; 4],
+    /// How far noise at a particle changes its matrix, 0 ..= 10. Default 0.
+    pub matrix_noise: f32,
     /// What it throws on surfaces.
     pub lights: FireLights,
     /// Colours by age, in ascending order of ages, 1 to 16.
@@ -72,6 +83,15 @@ pub struct Fire {
     pub burning: Burning,
     /// How it spreads over a mesh, if it does.
     pub spread: Option<FireSpread>,
+}
+
+/// What is drawn along a flame (Perry 1994, 3.2.2 and 4.2).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FlameForm {
+    /// The particle at each of its 25 places.
+    Particles,
+    /// A strip through them, textured by a slice through noise.
+    Strip,
 }
 
 /// The light of a fire's flames on surfaces (Perry 1994, 3.2.4).

@@ -43,7 +43,9 @@ pub use builtin::{BUILTIN, BUILTIN_FILES, BuiltinScene};
 pub use error::SceneError;
 pub(crate) use error::shortened;
 pub use extinction::{Extinction, Side};
-pub use fire::{Burning, Fire, FireLights, LightFrom, ListedFlame, Profile, RampStop, Roots};
+pub use fire::{
+    Burning, Fire, FireLights, FlameForm, LightFrom, ListedFlame, Profile, RampStop, Roots,
+};
 pub use flock::{
     BoidShape, Corners, Dimensions, Edges, Flock, Goal, Obstacle, ObstacleShape, Relation,
     RelationKind, Rule,

@@ -38,6 +38,15 @@ pub(crate) fn all_kinds_of_fires() -> Scene {
         "name = \"draught\"\nnoisiness = 0\nheight = 0.5\n\
          [[fire.flame]]\nposition = [-0.8, 1.2, 0]\nnormal = [0, -1, 0]\n"
             .to_owned(),
+        // A strip and particles with matrices, bent by a strong noise.
+        "name = \"strips\"\nform = \"strip\"\nposition = [0.3, -0.2, 0.5]\nheight = 1.2\nwidth = 0.5\n\
+         roots = { kind = \"circle\", radius = 0.6, count = 5 }\nnoisiness = 0.2\nsampling = 0.4\n\
+         color_noise = 0.3\nstrip_contrast = 0.8\n[[fire.flame]]\nposition = [0, 0, 5]\n\
+         [[fire.flame]]\nposition = [0, 0.5, 2.2]\nnormal = [0, 0, 1]\n"
+            .to_owned(),
+        "name = \"skewed\"\nposition = [-0.2, 0.2, -0.5]\nroots = { kind = \"line\", length = 1.5, count = 4 }\n\
+         particle_matrix = [0.5, 0.75, -0.25, 1.5]\nmatrix_noise = 0.5\ndetails = 1\n"
+            .to_owned(),
         // Larger than the picture.
         "name = \"huge\"\nheight = 6\nwidth = 9\nbrightness = 0.05\ninner_alpha = 2\ninner_radius = 0.3\n\
          [[fire.flame]]\nposition = [0, -2, -2]\n"

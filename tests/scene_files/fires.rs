@@ -1,6 +1,6 @@
 //! Fires: roots, defaults, and what is at odds.
 
-use motes::scene::{Burning, FireLights, LightFrom, Profile, Roots};
+use motes::scene::{Burning, FireLights, FlameForm, LightFrom, Profile, Roots};
 
 use crate::text::{accepted, refused, with};
 
@@ -37,6 +37,13 @@ fn a_fire_alone_is_a_scene_with_the_documented_defaults() {
     assert_eq!((own.blackbody, own.blackbody_rim), (None, 0.8));
     let details = (own.details, own.detail_spread, own.detail_alpha);
     assert_eq!(details, (0, 1.0, 0.5));
+    assert_eq!(
+        (own.form, own.strip_cells),
+        (FlameForm::Particles, [2.0, 5.0])
+    );
+    assert_eq!(own.strip_contrast, 0.6);
+    assert_eq!(own.particle_matrix, [1.0, 0.0, 0.0, 1.0]);
+    assert_eq!(own.matrix_noise, 0.0);
     let lights = FireLights {
         gain: 1.0,
         count: 1,

@@ -46,6 +46,8 @@ pub(crate) const CHANGING: &[(&str, &str, &str, &str)] = &[
     ("fire", "inner_alpha", "0", "1"),
     ("fire", "detail_spread", "0", "1"),
     ("fire", "detail_alpha", "1", "0"),
+    ("fire", "strip_contrast", "0", "1"),
+    ("fire", "matrix_noise", "0", "1"),
     ("fire", "light", "0", "12"),
     ("spread", "time_scale", "0.1", "0.4"),
     ("spread", "opposed_flux", "0.1", "0.2"),

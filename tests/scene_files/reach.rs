@@ -6,11 +6,11 @@ use motes::mesh::{self, Surface};
 use motes::scene::{
     BirthMoment, BirthRounding, BirthUnit, Births, Blend, BoidShape, Burning, Burst, Camera,
     Changing, ChildUp, Corners, Curvature, Dimensions, Edges, EjectionAxis, EjectionSpread,
-    Extinction, Fire, FireLights, FireSpread, Flock, FluxFormula, FrontHeading, GenerationShape,
-    Goal, Ground, Ignition, Image, Inherit, Insertion, Integration, Intensity, Lamp, Layer, Light,
-    LightFrom, ListedFlame, Obstacle, ObstacleShape, ParticleShape, ParticleSpace, Pillar, Planet,
-    Profile, Projection, RampStop, Relation, RelationKind, Roots, Rule, Scene, Shading,
-    ShutterWeighting, Side, Spread, StreakLight, System, Turbulence, Wind,
+    Extinction, Fire, FireLights, FireSpread, FlameForm, Flock, FluxFormula, FrontHeading,
+    GenerationShape, Goal, Ground, Ignition, Image, Inherit, Insertion, Integration, Intensity,
+    Lamp, Layer, Light, LightFrom, ListedFlame, Obstacle, ObstacleShape, ParticleShape,
+    ParticleSpace, Pillar, Planet, Profile, Projection, RampStop, Relation, RelationKind, Roots,
+    Rule, Scene, Shading, ShutterWeighting, Side, Spread, StreakLight, System, Turbulence, Wind,
 };
 
 use crate::text::{FULL, MINIMAL, accepted};
@@ -424,6 +424,11 @@ fn fire() -> Fire {
         details: 3,
         detail_spread: 0.625,
         detail_alpha: 0.375,
+        form: FlameForm::Strip,
+        strip_cells: [3.0, 7.0],
+        strip_contrast: 0.75,
+        particle_matrix: [1.0, 0.5, 0.0, 2.0],
+        matrix_noise: 0.125,
         lights: FireLights {
             gain: 7.0,
             count: 5,

@@ -3,7 +3,7 @@
 // Perry 1994, 3.2.1 and 3.2.2: each of the 25 steps is a particle that faces the viewer, scaled in x
 // and y by its age. Its colour is that of its age, or of one that noise moves (4.2, after Perlin's
 // corona). One invocation a flame.
-// Reads: frame, fires, age_looks, flames, flame_steps, layer_planes. Writes: flame_discs,
+// Reads: frame, fires, age_looks, flames, flame_steps, layer_planes. Writes: flame_discs, flame_skews,
 // flame_bounds (first column, and one past the last in the upper 16 bits; the same of lines; x and y of FireFrame.inner
 // as bits; columns and lines are 0 for none).
 // Invariant: what is not drawn has no light.
@@ -14,7 +14,7 @@
 #import motes::exact::{
     bits_of, clamp_exact, dot3, f32_of_u32, less, max_exact, reciprocal, to_i32, to_u32,
 }
-#import motes::layout::{AgeLook, FLAME_STEPS, FireFrame, Flame, FlameDisc, Frame}
+#import motes::layout::{AgeLook, FIRE_STRIP, FLAME_STEPS, FireFrame, Flame, FlameDisc, Frame}
 #import motes::noise::noise
 #import motes::projection::project
 #import motes::sprite::next_layer
@@ -27,6 +27,13 @@ const MOST_HALF_AXIS_PX: f32 = 16384.0f;
 
 // Whether some flames have details.
 const DETAILS: bool = #{DETAILS};
+// Whether some particles have a matrix.
+const SKEWS: bool = #{SKEWS};
+// Tells the noise of matrices from the one that bends flames.
+const MATRIX_TAG: u32 = 0x6d617472u;
+// Particles whose matrix shrinks areas more than to this are not drawn.
+const LEAST_AREA: f32 = 0.000001f;
+
 struct Work {
     flame_count: u32,
     // Of details, 1 and more; of them, one of 2^octave.
@@ -43,6 +50,7 @@ var<immediate> work: Work;
 @group(0) @binding(5) var<storage, read> layer_planes: array<vec4<f32>>;
 @group(0) @binding(6) var<storage, read_write> flame_discs: array<FlameDisc>;
 @group(0) @binding(7) var<storage, read_write> flame_bounds: array<vec4<u32>>;
+@group(0) @binding(8) var<storage, read_write> flame_skews: array<vec2<u32>>;
 
 // The layer, from 1, that a world place is in.
 fn layer_of(world: vec3<f32>) -> u32 {
@@ -86,6 +94,47 @@ fn colors_of(fire: FireFrame, slot: u32, age: f32, p: vec3<f32>) -> Colors {
     );
 }
 
+// The rows of the matrix of a particle at `p`.
+fn matrix_of(fire: FireFrame, p: vec3<f32>) -> vec4<f32> {
+    let m = fire.matrix;
+    let n = noise(p * fire.look.z + fire.noise.xyz, fire.kinds.z ^ MATRIX_TAG) * fire.strip.w;
+    return vec4<f32>(
+        m.x + (m.x * n.x + m.y * n.z),
+        m.y + (m.x * n.y + m.y * n.w),
+        m.z + (m.z * n.x + m.w * n.z),
+        m.w + (m.z * n.y + m.w * n.w),
+    );
+}
+
+// A polygon with these half-axes, as its matrix has it: half of its extent across and along the
+// picture, and what leads from places back into it.
+struct Outline {
+    reach: vec2<f32>,
+    scale: vec2<f32>,
+    skew: vec2<f32>,
+    is_flat: bool,
+}
+
+fn outline_of(fire: FireFrame, p: vec3<f32>, across: f32, along: f32) -> Outline {
+    if !SKEWS {
+        let scale = vec2<f32>(reciprocal(across), reciprocal(along));
+        return Outline(vec2<f32>(across, along), scale, vec2<f32>(0.0f), false);
+    }
+    let m = matrix_of(fire, p);
+    let area = m.x * m.w - m.y * m.z;
+    let is_flat = less(abs(area), LEAST_AREA);
+    let inverse = reciprocal(select(area, 1.0f, is_flat));
+    let to_across = inverse * reciprocal(across);
+    let to_along = inverse * reciprocal(along);
+    return Outline(
+        vec2<f32>(abs(m.x) * across + abs(m.y) * along, abs(m.z) * across + abs(m.w) * along),
+        vec2<f32>(m.w * to_across, m.x * to_along),
+        // y is up in the matrix, and down in the picture.
+        vec2<f32>(m.y * to_across, m.z * to_along),
+        is_flat,
+    );
+}
+
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn flame_discs_of(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let at = linear_index(global_id, WORKGROUP_SIZE);
@@ -101,7 +150,7 @@ fn flame_discs_of(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let brightness = bitcast<f32>(flame.look.z) * select(1.0f, fire.details.z, is_detail);
     let here = !LAYERS || frame.layer == 0u
         || layer_of(bitcast<vec3<f32>>(flame.root_and_fire.xyz)) == frame.layer;
-    let burns = here && flame.look.w == 1u;
+    let burns = here && flame.look.w == 1u && (fire.kinds.w & FIRE_STRIP) == 0u;
     let size = vec2<i32>(i32(frame.width), i32(frame.height));
     var low = size;
     var high = vec2<i32>(0, 0);
@@ -123,19 +172,24 @@ fn flame_discs_of(@builtin(global_invocation_id) global_id: vec3<u32>) {
         let colors = colors_of(fire, slot, own_age, place);
         let across = half_axis(half_width * scale * look.scale.x * seen.scale);
         let along = half_axis(half_width * scale * look.scale.y * seen.scale);
-        let is_near = less(MOST_HALF_AXIS_PX, across.x) || less(MOST_HALF_AXIS_PX, along.x);
-        let is_seen = is_there && !is_near && !less(seen.depth, frame.near);
+        let outline = outline_of(fire, place, across.x, along.x);
+        let reach = outline.reach;
+        let is_near = less(MOST_HALF_AXIS_PX, reach.x) || less(MOST_HALF_AXIS_PX, reach.y);
+        let is_seen = is_there && !is_near && !outline.is_flat && !less(seen.depth, frame.near);
         let opacity = select(0.0f, brightness * across.y * along.y, is_seen);
         flame_discs[at * FLAME_STEPS + age] = FlameDisc(
             vec4<u32>(
-                bits_of(seen.x), bits_of(seen.y), bits_of(reciprocal(across.x)), bits_of(reciprocal(along.x)),
+                bits_of(seen.x), bits_of(seen.y), bits_of(outline.scale.x), bits_of(outline.scale.y),
             ),
             bits_of_four(vec4<f32>(colors.center.xyz, colors.center.w * opacity)),
             bits_of_four(vec4<f32>(colors.rim.xyz, colors.rim.w * opacity)),
         );
+        if SKEWS {
+            flame_skews[at * FLAME_STEPS + age] = vec2<u32>(bits_of(outline.skew.x), bits_of(outline.skew.y));
+        }
         if is_seen {
-            let first = vec2<i32>(to_i32(seen.x - across.x), to_i32(seen.y - along.x));
-            let last = vec2<i32>(to_i32(seen.x + across.x) + 1, to_i32(seen.y + along.x) + 1);
+            let first = vec2<i32>(to_i32(seen.x - reach.x), to_i32(seen.y - reach.y));
+            let last = vec2<i32>(to_i32(seen.x + reach.x) + 1, to_i32(seen.y + reach.y) + 1);
             low = min(low, first);
             high = max(high, last);
         }

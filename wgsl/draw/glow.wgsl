@@ -3,7 +3,7 @@
 // Perry 1994, 3.2.2: the particles along a flame accumulate, whichever comes first. So many
 // invocations share a flame, each taking every so manieth run of 8 pixels in a line: what the 25
 // particles add to a pixel is summed before it is added, once, to the picture.
-// Reads: frame, flame_discs, flame_bounds. Writes, by atomic adds: light_low, light_high.
+// Reads: frame, flame_discs, flame_skews, flame_bounds. Writes, by atomic adds: light_low, light_high.
 // Invariant: the image does not depend on the order of flames, nor on how they are shared out.
 
 #import motes::fan::{Lit, center_shares, with_disc}
@@ -13,6 +13,8 @@
 #import motes::light::steps_of
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
+// Whether some particles have a matrix.
+const SKEWS: bool = #{SKEWS};
 // Pixels that an invocation sums at a time.
 const GLOW_RUN: u32 = 8u;
 
@@ -28,6 +30,7 @@ var<immediate> work: Work;
 @group(0) @binding(2) var<storage, read> flame_bounds: array<vec4<u32>>;
 @group(0) @binding(3) var<storage, read_write> light_low: array<atomic<u32>>;
 @group(0) @binding(4) var<storage, read_write> light_high: array<atomic<u32>>;
+@group(0) @binding(5) var<storage, read> flame_skews: array<vec2<u32>>;
 
 fn add_to_limbs(at: u32, steps: u32) {
     let before = atomicAdd(&light_low[at], steps);
@@ -60,15 +63,23 @@ fn glow_run(flame: u32, inner: vec2<f32>, x: u32, y: u32, end: u32) {
     for (var age = 0u; age < FLAME_STEPS; age += 1u) {
         let at = flame * FLAME_STEPS + age;
         let place = bitcast<vec4<f32>>(flame_discs[at].place);
-        let down = (line - place.y) * place.w;
+        let down = line - place.y;
         let is_beside = less(1.0f + 4.0f * place.z, abs(middle - place.x) * place.z);
-        if less(abs(down), 1.0f) && !is_beside {
+        if SKEWS || (less(abs(down * place.w), 1.0f) && !is_beside) {
             let center = bitcast<vec4<f32>>(flame_discs[at].center);
             let rim = bitcast<vec4<f32>>(flame_discs[at].rim);
-            let across = (columns - place.x) * place.z;
-            let across_far = (columns + 4.0f - place.x) * place.z;
-            near = with_disc(near, center, rim, inner, center_shares(across, down));
-            far = with_disc(far, center, rim, inner, center_shares(across_far, down));
+            var skew = vec2<f32>(0.0f);
+            if SKEWS {
+                skew = bitcast<vec2<f32>>(flame_skews[at]);
+            }
+            let off = columns - place.x;
+            let off_far = columns + 4.0f - place.x;
+            let across = off * place.z + down * skew.x;
+            let across_far = off_far * place.z + down * skew.x;
+            let along = off * skew.y + down * place.w;
+            let along_far = off_far * skew.y + down * place.w;
+            near = with_disc(near, center, rim, inner, center_shares(across, along));
+            far = with_disc(far, center, rim, inner, center_shares(across_far, along_far));
         }
     }
     add_four(near, x, y, end);

@@ -43,9 +43,11 @@ fn center_share(x: f32, y: f32) -> f32 {
     return at_least_zero(1.0f - max_exact(side_a, max_exact(side_b, side_c)));
 }
 
-// The same at four places of one `y`.
-fn center_shares(x: vec4<f32>, y: f32) -> vec4<f32> {
-    return vec4<f32>(center_share(x.x, y), center_share(x.y, y), center_share(x.z, y), center_share(x.w, y));
+// The same at four places.
+fn center_shares(x: vec4<f32>, y: vec4<f32>) -> vec4<f32> {
+    return vec4<f32>(
+        center_share(x.x, y.x), center_share(x.y, y.y), center_share(x.z, y.z), center_share(x.w, y.w),
+    );
 }
 
 // Which of the shares are of places inside.

@@ -570,6 +570,11 @@ struct FireFrame {
     inner: vec4<f32>,
     // Octaves of details; how far they stray as a share of the width; their opacity as a factor.
     details: vec4<f32>,
+    // Rows of the matrix that each particle is multiplied by after it faces the viewer.
+    matrix: vec4<f32>,
+    // Of strips: half the noise cells across, cells a step along, contrast; how far noise changes the
+    // matrix.
+    strip: vec4<f32>,
     // What a weight of 1 throws on white a unit away; the square of a light's extent.
     light: vec4<f32>,
     // The inverse of the greatest weight; the reach of lights from their roots, half its inverse; the
@@ -595,6 +600,8 @@ const ROOTS_DISC: u32 = 3u;
 const ROOTS_MESH: u32 = 4u;
 // FireFrame.kinds.w: velocities are brought to length 1.
 const FIRE_NORMALISED: u32 = 1u;
+// FireFrame.kinds.w: a strip is drawn along each flame, not its particles.
+const FIRE_STRIP: u32 = 2u;
 
 // A flame that is told by itself, in the fire's space; extents below 0 are the fire's.
 struct ListedFlame {
@@ -627,6 +634,14 @@ struct FlameDisc {
     // Red, green, blue and opacity.
     center: vec4<u32>,
     rim: vec4<u32>,
+}
+
+// Where a strip along a flame bends; floats are bits.
+struct StripJoint {
+    // Place in pixels, the unit vector along the flame.
+    place: vec4<u32>,
+    // Half-width in pixels, factor of the opacity, whether it is seen.
+    extent: vec4<u32>,
 }
 
 // SpreadPoint.course.w: it moves; it rests at a border, where it has burnt, or because its step crossed

@@ -9,8 +9,13 @@ use crate::exact::{f32_of_u32, less};
 use crate::layout::FlameDisc;
 
 /// Adds the light of the discs of one flame, of which [`flame_discs`](super::flame_discs) tells the
-/// `bounds`.
-pub fn glow(discs: &[FlameDisc], [across, down, inner @ ..]: [u32; 4], light: &LightSums) {
+/// `bounds`; `skews` are empty where no particle has a matrix.
+pub fn glow(
+    discs: &[FlameDisc],
+    skews: &[[u32; 2]],
+    [across, down, inner @ ..]: [u32; 4],
+    light: &LightSums,
+) {
     let (left, right) = (across & 0xffff, across >> 16);
     let (top, bottom) = (down & 0xffff, down >> 16);
     let inner = inner.map(f32::from_bits);
@@ -19,22 +24,29 @@ pub fn glow(discs: &[FlameDisc], [across, down, inner @ ..]: [u32; 4], light: &L
         sums.fill(Vec3::ZERO);
         let line = f32_of_u32(y) + 0.5;
         // From the root up in every pixel, as sums of floats depend on the order.
-        for disc in discs {
+        for (age, disc) in discs.iter().enumerate() {
             let [place_x, place_y, inverse_width, inverse_height] = disc.place.map(f32::from_bits);
-            let down = (line - place_y) * inverse_height;
-            if !less(down.abs(), 1.0) {
+            let [skew_x, skew_y] = skews.get(age).unwrap_or(&[0; 2]).map(f32::from_bits);
+            let down = line - place_y;
+            if skews.is_empty() && !less((down * inverse_height).abs(), 1.0) {
                 continue;
             }
             let [center, rim] =
                 [disc.center, disc.rim].map(|bits| Vec4::from(bits.map(f32::from_bits)));
             // What is farther has no share, and two pixels are more than rounding.
             let reach = 1.0 / inverse_width + 2.0;
-            let first = ((place_x - reach) as u32).clamp(left, right);
-            let last = ((place_x + reach) as u32).clamp(first, right);
+            let (first, last) = match skews {
+                [] => (place_x - reach, place_x + reach),
+                _ => (0.0, f32::MAX),
+            };
+            let first = (first as u32).clamp(left, right);
+            let last = (last as u32).clamp(first, right);
             for x in first..last {
-                let across = (f32_of_u32(x) + 0.5 - place_x) * inverse_width;
+                let off = f32_of_u32(x) + 0.5 - place_x;
+                let across = off * inverse_width + down * skew_x;
+                let along = off * skew_y + down * inverse_height;
                 sums[(x - left) as usize] +=
-                    disc_light(center, rim, inner, center_share(across, down));
+                    disc_light(center, rim, inner, center_share(across, along));
             }
         }
         for (x, sum) in (left..right).zip(&sums) {

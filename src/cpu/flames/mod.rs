@@ -13,8 +13,10 @@ use rayon::prelude::*;
 use crate::backend::{BackendError, try_zeroed};
 use crate::cpu::draw::flame_discs::flame_discs;
 use crate::cpu::draw::glow::glow;
+use crate::cpu::draw::strip_joints::strip_joints;
+use crate::cpu::draw::strips::strips;
 use crate::cpu::light::LightSums;
-use crate::layout::{FLAME_LIGHTS, FLAME_STEPS, Flame, FlameDisc, FlameLight};
+use crate::layout::{FLAME_LIGHTS, FLAME_STEPS, Flame, FlameDisc, FlameLight, StripJoint};
 use crate::plan::{DetailPass, FrameInputs, MeshTables, Plan};
 
 /// Steps of a flame.
@@ -31,6 +33,10 @@ pub(super) struct Flames {
     pub(super) steps: Vec<[u32; 4]>,
     /// The same as they are seen.
     pub(super) discs: Vec<FlameDisc>,
+    /// What else leads from places back into them; empty if no particle has a matrix.
+    pub(super) skews: Vec<[u32; 2]>,
+    /// Where the strips along flames bend; empty if there are none.
+    pub(super) joints: Vec<StripJoint>,
     /// Which pixels each flame touches, and its inner layer.
     pub(super) bounds: Vec<[u32; 4]>,
     /// What their point lights are given: the two halves of a weight and of x, y and z of each.
@@ -42,12 +48,15 @@ pub(super) struct Flames {
 impl Flames {
     pub(super) fn new(plan: &Plan) -> Result<Self, BackendError> {
         let flames = plan.flame_count as usize;
+        let of_each = |is_used: bool| if is_used { flames * STEPS } else { 0 };
         Ok(Self {
             meshes: Arc::clone(&plan.meshes),
             detail_passes: plan.detail_passes,
             flames: try_zeroed(flames, "flames")?,
             steps: try_zeroed(flames * STEPS, "steps of flames")?,
             discs: try_zeroed(flames * STEPS, "particles of flames")?,
+            skews: try_zeroed(of_each(plan.uses.skews), "particles of flames")?,
+            joints: try_zeroed(of_each(plan.uses.strips), "strips along flames")?,
             bounds: try_zeroed(flames, "flames")?,
             sums: vec![0; 8 * FLAME_LIGHTS as usize],
             lights: vec![FlameLight::default(); FLAME_LIGHTS as usize],
@@ -105,14 +114,17 @@ impl Flames {
     }
 
     pub(super) fn discs(&mut self, inputs: &FrameInputs, pass: DetailPass) {
+        let mut skews: Vec<&mut [[u32; 2]]> = self.skews.chunks_mut(STEPS).collect();
+        skews.resize_with(self.flames.len(), Default::default);
         self.discs
             .par_chunks_mut(STEPS)
+            .zip(skews)
             .zip(self.steps.par_chunks(STEPS))
             .zip(&self.flames)
             .zip(&mut self.bounds)
             .with_min_len(64)
-            .for_each(|(((discs, steps), flame), bounds)| {
-                *bounds = flame_discs(inputs, flame, pass, steps, discs);
+            .for_each(|((((discs, skews), steps), flame), bounds)| {
+                *bounds = flame_discs(inputs, flame, pass, steps, discs, skews);
             });
     }
 
@@ -129,6 +141,23 @@ impl Flames {
         let discs = self.discs.par_chunks(STEPS);
         discs
             .zip(&self.bounds)
-            .for_each(|(discs, bounds)| glow(discs, *bounds, light));
+            .enumerate()
+            .for_each(|(at, (discs, bounds))| {
+                let skews = self.skews.chunks(STEPS).nth(at).unwrap_or(&[]);
+                glow(discs, skews, *bounds, light);
+            });
+    }
+
+    /// The light of strips.
+    pub(super) fn strips(&mut self, inputs: &FrameInputs, light: &LightSums) {
+        self.joints
+            .par_chunks_mut(STEPS)
+            .zip(self.steps.par_chunks(STEPS))
+            .zip(&self.flames)
+            .zip(&mut self.bounds)
+            .for_each(|(((joints, steps), flame), bounds)| {
+                *bounds = strip_joints(inputs, flame, steps, joints);
+                strips(inputs, flame, joints, *bounds, light);
+            });
     }
 }

@@ -68,6 +68,8 @@ pub(super) const SWITCHES: &[&str] = &[
     "PLANET",
     "GROUND",
     "DETAILS",
+    "SKEWS",
+    "STRIPS",
     "TORUS",
     "COVERS",
     "TRIANGLES",

@@ -121,6 +121,8 @@ pub static KERNELS: &[Source] = sources![
     "draw/hide",
     "draw/flame_discs",
     "draw/glow",
+    "draw/strip_joints",
+    "draw/strips",
     "draw/resolve",
     "draw/unpack",
     "digest/digest",

@@ -184,6 +184,16 @@ pub(super) fn direction(spot: &Spot<'_>) -> Result<[f32; 3], SceneError> {
     Ok(direction)
 }
 
+/// Reads the two rows of a matrix that does not make everything flat.
+pub(super) fn invertible(spot: &Spot<'_>) -> Result<[f32; 4], SceneError> {
+    let rows @ [a, b, c, d] = <[f32; 4]>::read(spot)?;
+    if (a * d - b * c).abs() < 1e-4 {
+        let why = "is singular: what it makes of a particle is flat";
+        return Err(spot.refuse(spot.node, &spot.path, why));
+    }
+    Ok(rows)
+}
+
 /// The least corner of a box is the lesser one.
 pub(super) fn corners(min: [f32; 3], max: [f32; 3], table: &Reader<'_>) -> Result<(), SceneError> {
     let Some(axis) = (0..3).find(|&axis| min[axis] > max[axis]) else {

@@ -6,7 +6,8 @@ use crate::scene::read::{Reader, Spot};
 use crate::scene::schema::{FIRE, FLAME, RAMP};
 use crate::scene::values::{Quantity, choice, list, signed32, spread, text, variant, whole32};
 use crate::scene::{
-    Burning, Fire, FireLights, LightFrom, ListedFlame, Profile, RampStop, Roots, SceneError,
+    Burning, Fire, FireLights, FlameForm, LightFrom, ListedFlame, Profile, RampStop, Roots,
+    SceneError,
 };
 
 /// Reads all fires.
@@ -53,6 +54,11 @@ fn fire(at: usize, spot: &Spot<'_>, files: &Files) -> Result<Fire, SceneError> {
         details: table.must("details", whole32)?,
         detail_spread: table.must("detail_spread", Quantity::read)?,
         detail_alpha: table.must("detail_alpha", Quantity::read)?,
+        form: [FlameForm::Particles, FlameForm::Strip][table.must("form", choice)?],
+        strip_cells: table.must("strip_cells", Quantity::read)?,
+        strip_contrast: table.must("strip_contrast", Quantity::read)?,
+        particle_matrix: table.must("particle_matrix", check::invertible)?,
+        matrix_noise: table.must("matrix_noise", Quantity::read)?,
         lights: FireLights {
             gain: table.must("light", Quantity::read)?,
             count: table.must("lights", whole32)?,

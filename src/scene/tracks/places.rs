@@ -108,6 +108,8 @@ fn fire_numbers<'a>(fire: &'a mut Fire, key: &str) -> Option<&'a mut [f32]> {
         "inner_alpha" => one(&mut fire.inner_alpha),
         "detail_spread" => one(&mut fire.detail_spread),
         "detail_alpha" => one(&mut fire.detail_alpha),
+        "strip_contrast" => one(&mut fire.strip_contrast),
+        "matrix_noise" => one(&mut fire.matrix_noise),
         "light" => one(&mut fire.lights.gain),
         _ => {
             let spread = fire.spread.as_mut()?;
