@@ -167,7 +167,7 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
     },
     KernelUse {
         stage: Stage::Front,
-        kernel: "spread/settle",
+        kernel: "spread/arrive",
         work: Work::Points,
     },
     KernelUse {
@@ -187,7 +187,7 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
     },
     KernelUse {
         stage: Stage::Block,
-        kernel: "spread/settle",
+        kernel: "spread/arrive",
         work: Work::Points,
     },
     KernelUse {

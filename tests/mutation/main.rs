@@ -43,7 +43,7 @@ const OWED: [&str; 43] = [
     "lib/layout",
     "spread/front",
     "spread/walk",
-    "spread/settle",
+    "spread/arrive",
     "spread/enlist",
     "spread/block",
     "spread/gaps",

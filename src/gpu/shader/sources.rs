@@ -70,7 +70,7 @@ pub static KERNELS: &[Source] = sources![
     "tree/pose",
     "spread/front",
     "spread/walk",
-    "spread/settle",
+    "spread/arrive",
     "spread/enlist",
     "spread/block",
     "spread/gaps",
