@@ -5,7 +5,6 @@ use std::collections::HashMap;
 use super::GpuBackend;
 use super::dispatch::dispatch_for;
 use super::kernel::Kernel;
-use super::shader::Access;
 use super::sort;
 use crate::backend::BackendError;
 use crate::layout::{FLAME_LIGHTS, FLAME_STEPS};
@@ -168,7 +167,7 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
     },
     KernelUse {
         stage: Stage::Front,
-        kernel: "spread/settle",
+        kernel: "spread/arrive",
         work: Work::Points,
     },
     KernelUse {
@@ -188,7 +187,7 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
     },
     KernelUse {
         stage: Stage::Block,
-        kernel: "spread/settle",
+        kernel: "spread/arrive",
         work: Work::Points,
     },
     KernelUse {
@@ -767,7 +766,6 @@ impl GpuBackend {
             let buffer = page.ok_or_else(|| {
                 BackendError::Internal(format!("{kernel_name}: no page for `{}`", binding.name))
             })?;
-            debug_assert!(binding.access != Access::Uniform || binding.name == "frame");
             entries.push(wgpu::BindGroupEntry {
                 binding: binding.binding,
                 resource: buffer.as_entire_binding(),

@@ -9,6 +9,9 @@ const IMMEDIATE_BYTES: u32 = 24;
 /// Most storage buffers of a kernel.
 const STORAGE_BUFFERS: u32 = 8;
 
+/// Most uniform buffers of a kernel.
+const UNIFORM_BUFFERS: u32 = 2;
+
 /// Most storage buffers of a kernel on a device with 64-bit integers.
 const WIDE_STORAGE_BUFFERS: u32 = 9;
 
@@ -132,7 +135,7 @@ pub(super) fn check_needs(device: &wgpu::Device) -> Result<(), UnfitDevice> {
             has.max_storage_buffers_per_shader_stage,
         ),
         small(
-            1,
+            UNIFORM_BUFFERS,
             "max_uniform_buffers_per_shader_stage",
             has.max_uniform_buffers_per_shader_stage,
         ),
@@ -202,6 +205,7 @@ mod tests {
             storage = storage.max(count(|access| access != Access::Uniform));
             uniforms = uniforms.max(count(|access| access == Access::Uniform));
         }
-        assert_eq!((immediates, storage, uniforms), (IMMEDIATE_BYTES, most, 1));
+        let needs = (IMMEDIATE_BYTES, most, UNIFORM_BUFFERS);
+        assert_eq!((immediates, storage, uniforms), needs);
     }
 }

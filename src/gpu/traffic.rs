@@ -164,7 +164,7 @@ static TABLE: &[Line] = &[
         // Once for the front, once for what is inserted.
         (2 * load.points, 4 * load.points * WALKER)
     }),
-    ("spread/settle", |load| {
+    ("spread/arrive", |load| {
         (load.points, load.points * (2 * POINT + WALKER))
     }),
     ("spread/enlist", |load| {

@@ -4,7 +4,7 @@ use super::device::GpuDevice;
 use super::memory::check_available;
 use super::readback;
 use crate::backend::BackendError;
-use crate::layout::{Counts, Frame, FrameStats, Particle};
+use crate::layout::{Counts, Frame, FrameStats, Particle, SpreadCounts};
 
 /// Words that atomic additions are spread over: as many as a picture of 1280 x 720 pixels has in
 /// one limb of its light, rounded to a power of two.
@@ -167,6 +167,7 @@ fn named(gpu: &GpuDevice, records: u32) -> Result<Vec<(&'static str, wgpu::Buffe
         storage("deaths", 4),
         storage("counts", words_of(size_of::<Counts>())),
         storage("tree_counts", words_of(size_of::<Counts>())),
+        storage("spread_counts", words_of(size_of::<SpreadCounts>())),
         storage("statistics", words_of(size_of::<FrameStats>()) * 256),
         (
             "frame",
@@ -180,7 +181,7 @@ fn named(gpu: &GpuDevice, records: u32) -> Result<Vec<(&'static str, wgpu::Buffe
     ];
     for (name, buffer) in &list {
         match *name {
-            "alive_bits" | "tree_counts" => fill(gpu, buffer, 0)?,
+            "alive_bits" | "tree_counts" | "spread_counts" => fill(gpu, buffer, 0)?,
             "counts" => {
                 let counts = Counts {
                     total: records,

@@ -67,3 +67,41 @@ fn hex(color: [f32; 3]) -> String {
     let [r, g, b] = color.map(|channel| (channel.clamp(0.0, 1.0) * 255.0 + 0.5) as u8);
     format!("#{r:02x}{g:02x}{b:02x}")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::Population;
+
+    #[test]
+    fn a_drawing_has_its_background_and_a_line_for_each_in_order() {
+        let line = |from_px, to_px, color| Line {
+            population: Population::Particles,
+            slot: 0,
+            from_px,
+            to_px,
+            color,
+        };
+        let drawing = Drawing {
+            width: 32,
+            height: 18,
+            background: [0.0, 1.0, 0.5],
+            exposure: 2.0,
+            lines: &[
+                line([1.0, 2.0], [3.5, 4.256], [0.25, 0.0, 9.0]),
+                line([-7.0, 2.0], [40.0, 4.0], [0.5, 0.1, 0.0]),
+            ],
+        };
+        assert_eq!(
+            svg_of(&drawing),
+            concat!(
+                "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"32\" height=\"18\" viewBox=\"0 0 32 18\">\n",
+                "<rect width=\"100%\" height=\"100%\" fill=\"#00ff80\"/>\n",
+                "<g stroke-width=\"1\" stroke-linecap=\"round\">\n",
+                "<line x1=\"1.00\" y1=\"2.00\" x2=\"3.50\" y2=\"4.26\" stroke=\"#8000ff\"/>\n",
+                "<line x1=\"-7.00\" y1=\"2.00\" x2=\"40.00\" y2=\"4.00\" stroke=\"#ff3300\"/>\n",
+                "</g>\n</svg>\n",
+            )
+        );
+    }
+}

@@ -85,8 +85,8 @@ pub enum Count {
     SpreadFeatures,
     /// One a ring of control points.
     Rings,
-    /// One for each list of control points that are near to each other.
-    CrowdLists,
+    /// One for each list of control points that are near to each other, and one a control point.
+    Crowd,
     /// One for every so many control points; the last may stand for fewer.
     PointsOver(u32),
     /// So many a pixel, for pixels in whole fours.
@@ -488,8 +488,7 @@ pub static BUFFERS: &[Buffer] = {
             size_of::<Walker>(),
             Count::PointsOver(1),
         ),
-        buffer_of("crowd_heads", Scratch, "u32", 4, Count::CrowdLists),
-        buffer_of("crowd_next", Scratch, "u32", 4, Count::PointsOver(1)),
+        buffer_of("crowd", Scratch, "u32", 4, Count::Crowd),
         buffer_of("gap_flags", Scratch, "u32", 4, Count::PointsOver(1)),
         buffer_of("gap_runs", Scratch, "vec4<u32>", 16, Count::PointsOver(32)),
         buffer_of("covers", State, "Cover", size_of::<Cover>(), Count::Covers),
@@ -552,8 +551,8 @@ impl Buffer {
             Count::SpreadFaces(each) => plan.spreads.faces.len() as u32 * each,
             Count::SpreadFeatures => plan.spreads.features.len() as u32,
             Count::Rings => plan.ring_count,
-            Count::CrowdLists if plan.blocks => plan.crowd_lists(),
-            Count::CrowdLists => 0,
+            Count::Crowd if plan.blocks => plan.crowd_lists() + plan.point_capacity,
+            Count::Crowd => 0,
             Count::PointsOver(each) => plan.point_capacity.div_ceil(each),
             Count::Cells { over, extra } => plan.cell_count.div_ceil(over) + extra,
             Count::Covers => plan.cover_capacity(),

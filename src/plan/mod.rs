@@ -474,7 +474,7 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
                 "the change at frame {} alters what holds for a whole run",
                 turn.frame
             ),
-            help: "the list of systems, their names, parents and `blend`, whether there is a planet, whether a ground or pillars, the flocks' and fires' names and counts, `trail_frames`, what fires spread over from where, the \
+            help: "the list of systems, their names, parents and `blend`, whether there is a planet, whether a ground or pillars, the flocks' and fires' names and counts, `trail_frames`, what fires spread over from where and their `max_points`, the \
                    number of layers, the image size, the seed and the capacity stay as the scene has \
                    them"
                 .into(),

@@ -15,7 +15,8 @@ impl Plan {
     /// Makes room for turns that are not known yet, up to twice the lifetimes that are. To be done
     /// before a backend begins with it; changes no bit of the result.
     pub fn make_editable(&mut self) {
-        // What covers is fixed for a whole run: its buffers are large.
+        // What covers is fixed for a whole run: its buffers are large. And how flocks look around: drivers
+        // take minutes to compile a look that can do all at once.
         self.uses = Uses {
             covers: self.uses.covers,
             planet: self.uses.planet,
@@ -25,6 +26,12 @@ impl Plan {
             mirrors: self.uses.mirrors,
             skews: self.uses.skews,
             strips: self.uses.strips,
+            trails: self.uses.trails,
+            crowds: self.uses.crowds,
+            nearest: self.uses.nearest,
+            views: self.uses.views,
+            obstacles: self.uses.obstacles,
+            torus: self.uses.torus,
             ..Uses::all()
         };
         self.blocks = self.spread_count > 0;

@@ -50,10 +50,7 @@ impl<'a> Reader<'a> {
         if let Some(Entry { key, at, .. }) = entries.iter().find(|e| !keys().any(|k| k == e.key)) {
             let guess = match outer_table(&path, key) {
                 outer if !outer.is_empty() => outer,
-                _ => match did_you_mean_one_of(key, keys()) {
-                    guess if guess.is_empty() => other_tables(key),
-                    guess => guess,
-                },
+                _ => did_you_mean_one_of(key, keys()) + &other_tables(key),
             };
             let help = format!("{guess}The table has {}", keys_in_words(&fields));
             let key = shortened(key);
@@ -266,7 +263,7 @@ fn outer_table(path: &str, key: &str) -> String {
     }
 }
 
-/// A hint where no key here is like it, but tables elsewhere have one of just that name.
+/// A hint where tables elsewhere have a key of just that name.
 fn other_tables(key: &str) -> String {
     let headers = schema::tables_with(key);
     match headers.as_slice() {

@@ -12,7 +12,15 @@ use super::{Changing, SceneError, Spread};
 pub(super) fn whole(spot: &Spot<'_>) -> Result<u64, SceneError> {
     let (Kind::Whole { min, max }, Value::Whole(value)) = (spot.field.kind, &spot.node.value)
     else {
-        return Err(spot.wrong_kind());
+        return Err(match spot.node.value {
+            Value::Number(number) if number.fract() == 0.0 && number.abs() < 9e15 => {
+                let what = format!("`{}` cannot be {}", spot.path, spot.node.describe());
+                let plainly = format!("write {number:.0}, without a point or an exponent");
+                let help = format!("{plainly}: {}", expected(&spot.field));
+                spot.node.at.error(what, help)
+            }
+            _ => spot.wrong_kind(),
+        });
     };
     if !(min..=max).contains(value) {
         return Err(spot.refuse(spot.node, &spot.path, &format!("is out of range: {value}")));

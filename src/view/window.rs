@@ -48,7 +48,14 @@ pub fn open(
     size_px: [u32; 2],
 ) -> Result<(), WindowError> {
     let machine = |error: &dyn std::fmt::Display| WindowError::Machine(error.to_string());
-    let events = EventLoop::new().map_err(|error| machine(&error))?;
+    let events = EventLoop::new().map_err(|error| {
+        // Its words begin with the place in the library that they come from.
+        let told = error.to_string();
+        let told = told.split_once(".rs:").map_or(told.as_str(), |(_, rest)| {
+            rest.trim_start_matches(|letter: char| letter.is_ascii_digit() || letter == ':')
+        });
+        machine(&format!("there is no display: {}", told.trim()))
+    })?;
     let mut player = Player {
         wish: Wish {
             scene: scene.to_owned(),

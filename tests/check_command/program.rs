@@ -111,6 +111,17 @@ fn it_tells_what_of_the_input_is_at_fault() {
             vec!["check", "fountain", "--adapter", "cpu"],
             "compared with itself",
         ),
+        (
+            vec![
+                "check",
+                "fountain",
+                "--adapter",
+                adapter,
+                "--against",
+                adapter,
+            ],
+            "compared with itself",
+        ),
         (vec!["check", "fountain", "--frames", "0"], "--frames"),
     ] {
         let output = motes(&arguments);

@@ -148,6 +148,28 @@ fn what_a_killed_animation_has_begun_goes_with_the_next_run() {
 }
 
 #[test]
+fn what_was_kept_to_go_on_from_goes_when_a_run_begins_anew() {
+    let here = Workshop::new();
+    let wait = "while ! ls .a.gif*.resume/frame-0003.png >/dev/null 2>&1; do sleep 0.02; done";
+    let script = format!("{RENDER} --frames 0..400 --resume & {wait}; kill -9 $!; wait $!; true");
+    let ended = shell(&here, &script);
+    assert_eq!(ended.code, 0, "{}", ended.stderr);
+    assert!(!here.files().iter().all(|name| !name.contains(".resume")));
+    here.render(&["-o", "b.gif", "--frames", "0..400"]);
+    here.render(&["-o", "a.gif", "--frames", "0..3"]);
+    assert!(
+        !here.files().iter().all(|name| !name.contains(".resume")),
+        "of other frames"
+    );
+    here.render(&["-o", "a.gif", "--frames", "0..400"]);
+    assert!(
+        here.files().iter().all(|name| !name.starts_with('.')),
+        "{:?}",
+        here.files()
+    );
+}
+
+#[test]
 fn a_film_into_a_pipe_is_refused_and_nobody_is_waited_for() {
     let here = Workshop::new();
     let script = "mkfifo a.mp4; $MOTES render sparks.toml --adapter cpu -o a.mp4";

@@ -10,6 +10,7 @@ mod lights;
 mod looks;
 mod roots;
 mod shipped;
+mod strips;
 mod support;
 mod trajectories;
 mod twins;

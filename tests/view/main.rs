@@ -258,7 +258,36 @@ fn without_a_display_there_is_an_error_and_no_window() {
     let stderr = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(3), "{stderr}");
     assert!(stderr.contains("display"), "{stderr}");
-    assert!(!stderr.contains("panicked"), "{stderr}");
+    assert!(
+        !stderr.contains("panicked") && !stderr.contains(".rs"),
+        "{stderr}"
+    );
+}
+
+#[test]
+fn flocks_and_fires_that_spread_can_be_played_with() {
+    let folder = tempfile::tempdir().expect("there is room");
+    std::fs::write(
+        folder.path().join("wall.toml"),
+        r#"frames = 20
+image = { width = 64, height = 36 }
+camera = { position = [0, 0, 3], target = [0, 0, 0] }
+[[fire]]
+name = "wall"
+[fire.spread]
+mesh = "cube"
+ignition = [{ position = [0, 0, 1] }]
+"#,
+    )
+    .expect("it is written");
+    std::fs::write(folder.path().join("play.txt"), "2 shot seen.png\n3 end\n")
+        .expect("it is written");
+    for scene in ["bounce-wrap", "wall.toml"] {
+        let output = motes(folder.path(), &["view", scene, "--script", "play.txt"]);
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(0), "{scene}: {stderr}");
+        assert!(folder.path().join("seen.png").is_file(), "{scene}");
+    }
 }
 
 #[test]

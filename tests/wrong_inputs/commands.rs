@@ -124,7 +124,14 @@ fn wrong_changes_are_answered_with_the_argument() {
             "image.width.x=3",
             &["has no key `x`", "end the path at `image.width`"],
         ),
-        set("frames=1e3", &["`frames`", "a whole number from 1"]),
+        set(
+            "frames=1e3",
+            &[
+                "`frames`",
+                "write 1000, without a point",
+                "a whole number from 1",
+            ],
+        ),
         Row::render(&["--set"], &["--set <path.to.key=value>"]),
     ]);
 }

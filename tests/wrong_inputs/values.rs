@@ -191,6 +191,21 @@ fn too_much_of_anything_is_answered_with_how_much_there_may_be() {
             &["particles at once", "--> w.toml", "`capacity = N`"],
         ),
         longer(
+            &("[[fire]]\nname = \"mill\"\n[fire.spread]\nmesh = \"cube\"\nmax_points = 30000\n"
+                .to_owned()
+                + &"[[fire.spread.ignition]]\nposition = [0, 0, 1]\npoints = 4096\n".repeat(5)),
+            &["20480 control points", "at most 16384", "--> w.toml"],
+        ),
+        longer(
+            "[[fire]]\nname = \"mill\"\n[fire.spread]\nmesh = \"cube\"\nmax_points = 30\n\
+             ignition = [{ position = [0, 0, 1], points = 31 }]\n",
+            &[
+                "`fire.mill.spread.max_points` is 30",
+                "31 or more",
+                "w.toml:26:14",
+            ],
+        ),
+        longer(
             "[[flock]]\nname = \"crowd\"\ncount = 600_000\nperception_radius = 9\n\
              region = { min = [0, 0, 0], max = [9, 9, 0] }\n\
              [[flock.relation]]\nkind = \"flock\"\n",

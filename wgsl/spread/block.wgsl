@@ -5,7 +5,7 @@
 // from the unburnt side of a piece to the other stops where it does; where two meet, both stop. One
 // invocation a point.
 // Reads: spreads, spread_counts, spread_faces, spread_edges, ring_spans, control_points, moved_points,
-// crowd_heads, crowd_next. Writes: walkers of those that stop, to go anew.
+// crowd. Writes: walkers of those that stop, to go anew.
 // Invariant: the first meeting counts, so the order of looking at others does not matter.
 
 #import motes::dispatch::linear_index
@@ -33,15 +33,14 @@ struct Work {
 var<immediate> work: Work;
 
 @group(0) @binding(0) var<storage, read> spreads: array<SpreadFrame>;
-@group(0) @binding(1) var<storage, read> spread_counts: SpreadCounts;
+@group(0) @binding(1) var<uniform> spread_counts: SpreadCounts;
 @group(0) @binding(2) var<storage, read> spread_faces: array<SpreadFace>;
 @group(0) @binding(3) var<storage, read> spread_edges: array<SpreadEdge>;
 @group(0) @binding(4) var<storage, read> ring_spans: array<vec2<u32>>;
 @group(0) @binding(5) var<storage, read> control_points: array<SpreadPoint>;
 @group(0) @binding(6) var<storage, read> moved_points: array<SpreadPoint>;
-@group(0) @binding(7) var<storage, read> crowd_heads: array<u32>;
-@group(0) @binding(8) var<storage, read> crowd_next: array<u32>;
-@group(0) @binding(9) var<storage, read_write> walkers: array<Walker>;
+@group(0) @binding(7) var<storage, read> crowd: array<u32>;
+@group(0) @binding(8) var<storage, read_write> walkers: array<Walker>;
 
 // A place as a point sees it, from itself, in the frame of its face; w: 1 if there is a way to it.
 struct Seen {
@@ -127,10 +126,10 @@ fn free_share(at: u32, here: SpreadPoint, goal: vec2<f32>, spread: SpreadFrame) 
     var free = 1.0f;
     for (var cell = 0u; cell < 27u; cell += 1u) {
         let off = vec3<i32>(vec3<u32>(cell % 3u, (cell / 3u) % 3u, cell / 9u)) - vec3<i32>(1);
-        var entry = crowd_heads[crowd_hash(center + off, here.position.w) & work.mask];
+        var entry = crowd[crowd_hash(center + off, here.position.w) & work.mask];
         while entry > 0u {
             let other = entry - 1u;
-            entry = crowd_next[other];
+            entry = crowd[work.mask + 1u + other];
             let start = control_points[other];
             let span = ring_spans[start.place.w];
             let after = select(other + 1u, span.x, other == span.y);

@@ -1,9 +1,9 @@
 // enlist: which control points are in which cell of a grid, as lists.
 //
 // For the test of Perry 1994, 3.3.2, against double burning. A cell is a hash of where it is; its list
-// begins in crowd_heads, and each point names the next. One invocation a control point.
-// Reads: spreads, spread_counts, control_points. Writes: crowd_heads (which begin as zeros), crowd_next
-// (indices from 1; 0 ends a list).
+// begins in the first words of crowd, which begin as zeros, and of each point there is a word behind
+// them that names the next. One invocation a control point.
+// Reads: spreads, spread_counts, control_points. Writes: crowd (indices from 1; 0 ends a list).
 // Invariant: the order within a list is any, and nothing may depend on it.
 
 #import motes::dispatch::linear_index
@@ -21,8 +21,7 @@ var<immediate> work: Work;
 @group(0) @binding(0) var<storage, read> spreads: array<SpreadFrame>;
 @group(0) @binding(1) var<storage, read> spread_counts: SpreadCounts;
 @group(0) @binding(2) var<storage, read> control_points: array<SpreadPoint>;
-@group(0) @binding(3) var<storage, read_write> crowd_heads: array<atomic<u32>>;
-@group(0) @binding(4) var<storage, read_write> crowd_next: array<u32>;
+@group(0) @binding(3) var<storage, read_write> crowd: array<atomic<u32>>;
 
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn enlist(@builtin(global_invocation_id) global_id: vec3<u32>) {
@@ -37,5 +36,5 @@ fn enlist(@builtin(global_invocation_id) global_id: vec3<u32>) {
     }
     let cell = crowd_cell(bitcast<vec3<f32>>(place.xyz), spread.distances.z);
     let list = crowd_hash(cell, place.w) & work.mask;
-    crowd_next[at] = atomicExchange(&crowd_heads[list], at + 1u);
+    atomicStore(&crowd[work.mask + 1u + at], atomicExchange(&crowd[list], at + 1u));
 }

@@ -36,7 +36,7 @@ const LEAST_DRIFT: f32 = 0.001f;
 @group(0) @binding(1) var<storage, read> fires: array<FireFrame>;
 @group(0) @binding(2) var<storage, read> winds: array<Wind>;
 @group(0) @binding(3) var<storage, read> spreads: array<SpreadFrame>;
-@group(0) @binding(4) var<storage, read> spread_counts: SpreadCounts;
+@group(0) @binding(4) var<uniform> spread_counts: SpreadCounts;
 @group(0) @binding(5) var<storage, read> spread_faces: array<SpreadFace>;
 @group(0) @binding(6) var<storage, read> spread_features: array<SpreadFeature>;
 @group(0) @binding(7) var<storage, read> ring_spans: array<vec2<u32>>;

@@ -23,7 +23,7 @@ const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 const MOST_BETWEEN: u32 = 16u;
 
 @group(0) @binding(0) var<storage, read> spreads: array<SpreadFrame>;
-@group(0) @binding(1) var<storage, read> spread_counts: SpreadCounts;
+@group(0) @binding(1) var<uniform> spread_counts: SpreadCounts;
 @group(0) @binding(2) var<storage, read> spread_faces: array<SpreadFace>;
 @group(0) @binding(3) var<storage, read> spread_edges: array<SpreadEdge>;
 @group(0) @binding(4) var<storage, read> ring_spans: array<vec2<u32>>;

@@ -43,6 +43,15 @@ pub(super) fn both(tested: &str, against: &str) -> Result<(Side, Side), CliError
             ),
         ));
     }
+    if let (Side::Gpu(one), Side::Gpu(other)) = &sides
+        && (&one.description.name, &one.description.driver)
+            == (&other.description.name, &other.description.driver)
+    {
+        return Err(CliError::usage(
+            format!("{} would be compared with itself", sides.0.name()),
+            "name two adapters, or leave out --against to compare with the processor",
+        ));
+    }
     for side in [&sides.0, &sides.1] {
         if !side.is_exact() {
             return Err(CliError::usage(

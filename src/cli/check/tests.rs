@@ -183,7 +183,7 @@ fn a_wrong_adapter_is_exit_code_1_and_stands_in_every_report() {
     // Read as a shell reads it: an apostrophe in the scene's path ends no text early.
     let command = readme
         .lines()
-        .find_map(|line| line.trim().strip_prefix("motes check "));
+        .find_map(|line| Some(line.split_once("motes check ")?.1));
     let command = format!("set -- {}; echo \"$1\"", command.expect("it is told"));
     let said = Command::new("sh").args(["-c", &command]).output();
     let scene = folder.join("ball.toml");

@@ -89,9 +89,14 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
         let journal = new_journal(&args, &request, &simulation)?;
         kept = journal.map(|journal| (journal, Finished::default()));
     }
+    // Who begins anew will not go on.
+    let kept_none = kept.is_none();
     let (journal, finished) = kept.map_or((None, Finished::default()), |(journal, finished)| {
         (Some(journal), finished)
     });
+    if kept_none && let Some(folder) = journal::place(target, frames) {
+        Journal::forget(&folder);
+    }
     let mut job = Job {
         pictures,
         request: &request,
@@ -258,6 +263,12 @@ fn say_what_went_wrong(summary: &Summary, simulation: &Simulation) {
             simulation.plan().capacity
         );
     }
+    if summary.dropped_points > 0 {
+        note!(
+            "motes: {} control points found no room; raise `max_points` of the fires that spread",
+            summary.dropped_points
+        );
+    }
     if !summary.lit {
         let why = match summary.most_live {
             0 => "nothing was alive in them: look at births and frames".to_owned(),
@@ -266,6 +277,7 @@ fn say_what_went_wrong(summary: &Summary, simulation: &Simulation) {
                 let who = match (plan.boid_count, plan.flame_count) {
                     (count, _) if count == live => "boids",
                     (_, count) if count == live => "flames",
+                    _ if summary.most_points == live => "control points",
                     _ => "particles",
                 };
                 format!(

@@ -8,8 +8,12 @@ use crate::output::Picture;
 pub(super) struct Summary {
     /// Births left out for want of room.
     pub(super) dropped: u64,
-    /// Most particles alive after a frame, or the number of boids or flames if that is greater.
+    /// Control points that found no room.
+    pub(super) dropped_points: u64,
+    /// Most that lived after a frame: particles, control points, boids or flames.
     pub(super) most_live: u32,
+    /// Most control points that moved.
+    pub(super) most_points: u32,
     /// Whether any pixel differed from the others of its picture, or had none to differ from.
     pub(super) lit: bool,
     /// The frame that was next when it was asked to stop, and the exit code for that.
@@ -22,7 +26,10 @@ impl Summary {
         for line in lines {
             self.dropped += u64::from(line.dropped);
             self.dropped += u64::from(line.systems_requested.saturating_sub(line.systems_born));
-            self.most_live = self.most_live.max(line.live);
+            self.dropped_points +=
+                u64::from(line.points_requested.saturating_sub(line.points_born));
+            self.most_live = self.most_live.max(line.live).max(line.points_live);
+            self.most_points = self.most_points.max(line.points_live);
         }
     }
 

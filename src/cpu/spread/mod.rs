@@ -1,10 +1,10 @@
 //! The stages of fires that spread. Insertion and its books are plain Rust.
 
+pub mod arrive;
 pub mod block;
 pub mod front;
 pub mod gaps;
 pub mod insert;
-pub mod settle;
 pub mod walk;
 
 use std::sync::Arc;
@@ -73,14 +73,14 @@ impl Spreads {
         };
         let all = (0..points.len()).into_par_iter().with_min_len(GRAIN);
         all.map(step).collect_into_vec(&mut self.walkers);
-        self.settle();
+        self.arrive();
     }
 
-    fn settle(&mut self) {
+    fn arrive(&mut self) {
         let (tables, points) = (&self.tables, &self.points);
-        let settled = |(point, walker)| settle::settle(point, walker, &tables.faces);
+        let arrived = |(point, walker)| arrive::arrive(point, walker, &tables.faces);
         let all = points.par_iter().zip(&self.walkers).with_min_len(GRAIN);
-        all.map(settled).collect_into_vec(&mut self.moved);
+        all.map(arrived).collect_into_vec(&mut self.moved);
     }
 
     /// Control points that would enter what has burnt stop there.
@@ -98,7 +98,7 @@ impl Spreads {
                 *walker = walk::walk(&anew, &steps.tables.edges);
             }
         });
-        self.settle();
+        self.arrive();
     }
 
     /// Points come between neighbours that are too far apart, and rings begin.

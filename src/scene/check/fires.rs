@@ -1,7 +1,7 @@
 //! Checks of fires.
 
 use crate::scene::read::{Reader, Spot};
-use crate::scene::{Fire, SceneError};
+use crate::scene::{Fire, FireSpread, SceneError};
 
 /// Flames of all fires at most: what a binding holds of their discs on every adapter.
 const MOST_FLAMES: u64 = 100_000;
@@ -9,7 +9,11 @@ const MOST_FLAMES: u64 = 100_000;
 /// Point lights of all fires at most.
 const MOST_LIGHTS: u32 = 64;
 
-/// There are not too many flames, nor too many lights.
+/// Control points that all fires begin to spread from at most: where many begin at one place, each looks
+/// at all others.
+const MOST_IGNITED: u64 = 16_384;
+
+/// There are not too many flames, nor too many lights, nor points where fires begin.
 pub(in crate::scene) fn flames(fires: &[Fire], spot: &Spot<'_>) -> Result<(), SceneError> {
     let total: u64 = fires.iter().map(|fire| u64::from(fire.count())).sum();
     if total > MOST_FLAMES {
@@ -22,6 +26,30 @@ pub(in crate::scene) fn flames(fires: &[Fire], spot: &Spot<'_>) -> Result<(), Sc
         let what = format!("the fires have {lights} point lights in all, too many");
         let help = format!("`lights` that sum to at most {MOST_LIGHTS}");
         return Err(spot.node.at.error(what, help));
+    }
+    let ignitions = fires.iter().filter_map(|fire| fire.spread.as_ref());
+    let ignitions = ignitions.flat_map(|spread| &spread.ignitions);
+    let points: u64 = ignitions.map(|it| u64::from(it.points)).sum();
+    if points > MOST_IGNITED {
+        let what =
+            format!("the fires begin to spread from {points} control points in all, too many");
+        let help = format!("`points` of ignitions that sum to at most {MOST_IGNITED}");
+        return Err(spot.node.at.error(what, help));
+    }
+    Ok(())
+}
+
+/// There is room for the control points that a fire begins to spread from.
+pub(in crate::scene) fn ignited(spread: &FireSpread, table: &Reader<'_>) -> Result<(), SceneError> {
+    let points: u64 = spread.ignitions.iter().map(|it| u64::from(it.points)).sum();
+    if points > u64::from(spread.max_points) {
+        let what = format!(
+            "`{}` is {}, and ignitions have {points} control points",
+            table.path_of("max_points"),
+            spread.max_points
+        );
+        let help = format!("{points} or more: fires that grow have many times as many");
+        return Err(table.at("max_points").error(what, help));
     }
     Ok(())
 }

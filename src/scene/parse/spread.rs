@@ -1,5 +1,6 @@
 //! `[fire.spread]`, with what is in it.
 
+use crate::scene::check;
 use crate::scene::files::Files;
 use crate::scene::read::{Reader, Spot};
 use crate::scene::schema::{FORMULA, IGNITION, SPREAD};
@@ -26,7 +27,7 @@ pub(super) fn spread(spot: &Spot<'_>, files: &Files) -> Result<FireSpread, Scene
         let help = "at least one table with a position";
         return Err(table.at("ignition").error(what, help));
     }
-    Ok(FireSpread {
+    let spread = FireSpread {
         ignitions,
         time_scale: table.must("time_scale", Quantity::read)?,
         opposed_flux: table.must("opposed_flux", Quantity::read)?,
@@ -44,7 +45,9 @@ pub(super) fn spread(spot: &Spot<'_>, files: &Files) -> Result<FireSpread, Scene
         max_points: table.must("max_points", whole32)?,
         mesh,
         surface,
-    })
+    };
+    check::ignited(&spread, &table)?;
+    Ok(spread)
 }
 
 fn ignition(spot: &Spot<'_>) -> Result<Ignition, SceneError> {

@@ -126,6 +126,15 @@ impl Journal {
         Ok(journal)
     }
 
+    /// Removes the journal that a stopped run has left, if nobody is at work on it.
+    pub(super) fn forget(folder: &Path) {
+        let file = File::open(folder.join(NAME));
+        if file.is_ok_and(|file| file.try_lock().is_ok()) {
+            // It is hidden: that it stays harms nothing.
+            let _ = fs::remove_dir_all(folder);
+        }
+    }
+
     /// Opens the journal that a stopped run has left; `None` where there is none.
     pub(super) fn resume(
         folder: &Path,

@@ -1,4 +1,4 @@
-// settle: control points where their walkers have brought them.
+// arrive: control points where their walkers have brought them.
 //
 // Perry 1994, 3.3.2. One invocation a control point.
 // Reads: spread_counts, spread_faces, control_points, walkers. Writes: moved_points.
@@ -18,7 +18,7 @@ const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 @group(0) @binding(4) var<storage, read_write> moved_points: array<SpreadPoint>;
 
 @compute @workgroup_size(WORKGROUP_SIZE)
-fn settle(@builtin(global_invocation_id) global_id: vec3<u32>) {
+fn arrive(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let at = linear_index(global_id, WORKGROUP_SIZE);
     if at >= spread_counts.total {
         return;

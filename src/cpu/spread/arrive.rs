@@ -1,4 +1,4 @@
-//! settle: a control point where its walker has brought it. Twin of `wgsl/spread/settle.wgsl`.
+//! arrive: a control point where its walker has brought it. Twin of `wgsl/spread/arrive.wgsl`.
 
 use super::walk::vec2;
 use crate::cpu::walk::{normalized2, position_on};
@@ -6,7 +6,7 @@ use crate::exact::bits_of;
 use crate::layout::{POINT_MOVES, SpreadFace, SpreadPoint, Walker};
 
 /// The point after its step.
-pub fn settle(point: &SpreadPoint, walker: &Walker, faces: &[SpreadFace]) -> SpreadPoint {
+pub fn arrive(point: &SpreadPoint, walker: &Walker, faces: &[SpreadFace]) -> SpreadPoint {
     let [_, _, key, state] = point.course;
     if state != POINT_MOVES {
         return *point;
