@@ -20,7 +20,7 @@ shared_constants! {
     /// The last age.
     pub const LAST_AGE: f32 = 24.0;
     const TWICE_AGE_SHARE: f32 = 0.083_333_336;
-    const LEAST_WAY_SQUARED: f32 = 0.000_001;
+    const LEAST_STRETCH_SQUARED: f32 = 0.000_001;
     const LEAST_SPACING: f32 = 0.04;
 }
 
@@ -28,7 +28,7 @@ shared_constants! {
 #[inline]
 pub fn direction_of(way: Vec2) -> Vec2 {
     let squared = way.x * way.x + way.y * way.y;
-    if less(squared, LEAST_WAY_SQUARED) {
+    if less(squared, LEAST_STRETCH_SQUARED) {
         return Vec2::new(0.0, -1.0);
     }
     way * reciprocal(square_root(squared))

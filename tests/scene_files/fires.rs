@@ -152,3 +152,13 @@ fn fires_that_are_at_odds_with_themselves_are_refused() {
         assert!(error.line().is_some(), "{error}");
     }
 }
+
+#[test]
+fn p25_a_matrix_that_makes_everything_flat_is_refused() {
+    let error = refused(&with(
+        &fire(FLAME),
+        "name = \"a\"",
+        "name = \"a\"\nparticle_matrix = [2, 1, 4, 2]",
+    ));
+    assert!(error.message().contains("is singular"), "{error}");
+}

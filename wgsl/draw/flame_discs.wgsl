@@ -32,7 +32,7 @@ const SKEWS: bool = #{SKEWS};
 // Tells the noise of matrices from the one that bends flames.
 const MATRIX_TAG: u32 = 0x6d617472u;
 // Particles whose matrix shrinks areas more than to this are not drawn.
-const LEAST_AREA: f32 = 0.000001f;
+const LEAST_MATRIX_AREA: f32 = 0.000001f;
 
 struct Work {
     flame_count: u32,
@@ -122,7 +122,7 @@ fn outline_of(fire: FireFrame, p: vec3<f32>, across: f32, along: f32) -> Outline
     }
     let m = matrix_of(fire, p);
     let area = m.x * m.w - m.y * m.z;
-    let is_flat = less(abs(area), LEAST_AREA);
+    let is_flat = less(abs(area), LEAST_MATRIX_AREA);
     let inverse = reciprocal(select(area, 1.0f, is_flat));
     let to_across = inverse * reciprocal(across);
     let to_along = inverse * reciprocal(along);

@@ -24,14 +24,14 @@ const SLICES: f32 = 64.0f;
 const LAST_AGE: f32 = 24.0f;
 const TWICE_AGE_SHARE: f32 = 0.083333336f;
 // A way shorter than this in pixels, squared, has no direction.
-const LEAST_WAY_SQUARED: f32 = 0.000001f;
+const LEAST_STRETCH_SQUARED: f32 = 0.000001f;
 // Particles overlap so many times, at most.
 const LEAST_SPACING: f32 = 0.04f;
 
 // The unit vector along a way in the picture; up, where there is none.
 fn direction_of(way: vec2<f32>) -> vec2<f32> {
     let squared = way.x * way.x + way.y * way.y;
-    if less(squared, LEAST_WAY_SQUARED) {
+    if less(squared, LEAST_STRETCH_SQUARED) {
         return vec2<f32>(0.0f, -1.0f);
     }
     return way * reciprocal(square_root(squared));

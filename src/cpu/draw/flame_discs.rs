@@ -19,7 +19,7 @@ shared_constants! {
     /// Tells the noise of matrices from the one that bends flames.
     pub const MATRIX_TAG: u32 = 0x6d61_7472;
     /// Particles whose matrix shrinks areas more than to this are not drawn.
-    pub const LEAST_AREA: f32 = 0.000_001;
+    pub const LEAST_MATRIX_AREA: f32 = 0.000_001;
 }
 
 /// A half-axis that is drawn, and how much fainter it is for that.
@@ -81,7 +81,7 @@ fn outline_of(fire: &FireFrame, has_matrix: bool, p: Vec3, across: f32, along: f
     }
     let m = matrix_of(fire, p);
     let area = m.x * m.w - m.y * m.z;
-    let is_flat = less(area.abs(), LEAST_AREA);
+    let is_flat = less(area.abs(), LEAST_MATRIX_AREA);
     let inverse = reciprocal(if is_flat { 1.0 } else { area });
     let to_across = inverse * reciprocal(across);
     let to_along = inverse * reciprocal(along);
