@@ -119,6 +119,11 @@ pub struct FireFrame {
     /// Octaves of details; how far they stray as a share of the width; their opacity as a factor; w
     /// unused.
     pub details: [f32; 4],
+    /// Colour with which char begins to glow; its opacity, 0 if none is left.
+    pub char_look: [f32; 4],
+    /// How wide it is, world units; how soft, 0 to 1; the inverse of the frames that it glows, and of those
+    /// in which it appears.
+    pub char_shape: [f32; 4],
     /// What a weight of 1 throws on a white surface a world unit away; the square of a light's
     /// extent.
     pub light: [f32; 4],
@@ -131,7 +136,8 @@ pub struct FireFrame {
     pub kinds: [u32; 4],
     /// First flame and how many; first listed flame and how many.
     pub members: [u32; 4],
-    /// First face of the mesh and how many; the others unused.
+    /// First face of the mesh and how many; 1 if the places that its point lights' are counted from are
+    /// told, 0 if they are those of flames; unused.
     pub faces: [u32; 4],
     /// The first frame; frames of kindling; frames that a flame burns, 0 for ever; frames of growth.
     pub times: [u32; 4],

@@ -73,6 +73,7 @@ pub(super) const SWITCHES: &[&str] = &[
     "TRIANGLES",
     "MIRRORS",
     "CONES",
+    "MARKS",
     "TRAILS",
     "VIEWS",
     "NEAREST",

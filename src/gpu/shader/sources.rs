@@ -60,6 +60,7 @@ pub static LIBRARIES: &[Source] = sources![
     "lib/sort",
     "lib/tile",
     "lib/walk",
+    "lib/drops",
 ];
 
 /// Kernels, in the order of the frame.
@@ -76,6 +77,8 @@ pub static KERNELS: &[Source] = sources![
     "spread/gaps",
     "spread/sum_gaps",
     "spread/book",
+    "spread/burning",
+    "spread/drop",
     "spread/insert",
     "spread/ignite",
     "systems/births",
@@ -98,6 +101,7 @@ pub static KERNELS: &[Source] = sources![
     "flock/cells",
     "flock/steer",
     "flames/kindle",
+    "flames/dropped",
     "flames/trace",
     "flames/shine",
     "flames/gather",
@@ -105,6 +109,8 @@ pub static KERNELS: &[Source] = sources![
     "draw/shapes",
     "draw/boid_shapes",
     "draw/boid_trails",
+    "draw/marks",
+    "draw/front_lines",
     "draw/cover_work",
     "draw/cover_keys",
     "sort/count_digits",
