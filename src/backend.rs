@@ -104,6 +104,7 @@ pub struct Living<'a> {
     /// Words of the places of boids' trails, as the buffer `boid_trails` has them.
     pub trails: &'a [u32],
     /// Of fires that spread: words of [`crate::layout::SpreadCounts`], two for each ring, words of
+    /// [`crate::layout::DroppedFlame`] for all that there may be, words of
     /// [`crate::layout::SpreadPoint`]; empty where none does.
     pub front: &'a [u32],
 }

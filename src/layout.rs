@@ -144,6 +144,10 @@ shared_constants! {
     pub const COVERS_OF_PARTICLES: u32 = 1;
     /// Records of boids.
     pub const COVERS_OF_BOIDS: u32 = 2;
+    /// Records of places of dropped flames.
+    pub const COVERS_OF_MARKS: u32 = 3;
+    /// Records of fronts.
+    pub const COVERS_OF_FRONTS: u32 = 4;
     /// [`Cover::shape`]`[2]`: nothing is covered.
     pub const COVER_NONE: u32 = 0;
     /// A disc.
@@ -158,6 +162,8 @@ shared_constants! {
     pub const COVER_TRIANGLE: u32 = 5;
     /// A cone with a round base.
     pub const COVER_CONE: u32 = 6;
+    /// A soft disc that is seen at a slant.
+    pub const COVER_SLANTED: u32 = 7;
     /// [`Cover::lit`]`[3]`: it is drawn where it is.
     pub const COVER_PLAIN: u32 = 0;
     /// It is drawn at the other side of the picture, mirrored.
@@ -259,7 +265,8 @@ pub struct SystemFrame {
 pub struct Cover {
     /// x and y in pixels of two points: a triangle's first two corners, a segment's ends, the centre of
     /// a cone's base and its apex; a disc's or square's centre, then for shading the reciprocal of a
-    /// disc's radius.
+    /// disc's radius; of one seen at a slant, how much farther away it is a pixel to the right and down,
+    /// in pixels.
     pub points: [u32; 4],
     /// A triangle's third corner. Of a disc or segment, how far it reaches from its centre or axis,
     /// pixels, and the reciprocal of its edge's width; of a square, half its width; of a cone, how far
@@ -439,6 +446,18 @@ pub struct FrameStats {
     pub points_died: u32,
     /// Control points that move.
     pub points_live: u32,
+    /// Flames that were to be dropped.
+    pub flames_requested: u32,
+    /// Those that were; for the rest there was no room.
+    pub flames_born: u32,
+    /// Dropped flames that have gone out.
+    pub flames_died: u32,
+    /// Dropped flames that have not.
+    pub flames_live: u32,
+    /// Marks that newer flames have taken the places of.
+    pub marks_died: u32,
+    /// Flames that have gone out and have their places yet.
+    pub marks_live: u32,
 }
 
 /// The arguments of one indirect dispatch.

@@ -8,10 +8,10 @@ use motes::gpu::shader::sources::{KERNELS, LIBRARIES, YARDSTICKS};
 use motes::gpu::shader::{self, Access, CompileOptions, CompiledKernel};
 use motes::gpu::{STAGE_KERNELS, check_binding};
 use motes::layout::{
-    self, AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, FireFrame, Flame, FlameDisc,
-    FlameLight, FlockFrame, Frame, FrameStats, Ground, Ignition, Lamp, ListedFlame, Node, Obstacle,
-    Particle, Pillar, Planet, Pose, Relation, SpreadCounts, SpreadEdge, SpreadFace, SpreadFeature,
-    SpreadFrame, SpreadPoint, StripJoint, SystemFrame, SystemRow, Walker, Wind,
+    self, AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, DroppedFlame, FireFrame, Flame,
+    FlameDisc, FlameLight, FlockFrame, Frame, FrameStats, Ground, Ignition, Lamp, ListedFlame,
+    Node, Obstacle, Particle, Pillar, Planet, Pose, Relation, SpreadCounts, SpreadEdge, SpreadFace,
+    SpreadFeature, SpreadFrame, SpreadPoint, StripJoint, SystemFrame, SystemRow, Walker, Wind,
 };
 use motes::plan::{BUFFERS, BufferRole, STAGES, Uses, buffer};
 
@@ -150,6 +150,12 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             points_born,
             points_died,
             points_live,
+            flames_requested,
+            flames_born,
+            flames_died,
+            flames_live,
+            marks_died,
+            marks_live,
         }),
         rust_layout!(Cover {
             points,
@@ -266,6 +272,8 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             details,
             matrix,
             strip,
+            char_look,
+            char_shape,
             light,
             light_scale,
             kinds,
@@ -305,6 +313,8 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             rates,
             distances,
             kinds,
+            line_look,
+            line_shape,
         }),
         rust_layout!(Ignition {
             place,
@@ -320,6 +330,19 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             before,
             inserted,
             ignited_from,
+            flames_total,
+            flames_first,
+            flames_requested,
+            flames_born,
+            flames_died,
+            flames_live,
+            marks_first,
+            marks_died,
+        }),
+        rust_layout!(DroppedFlame {
+            root_and_fire,
+            normal_and_birth,
+            identity,
         }),
         rust_layout!(FlameDisc { place, center, rim }),
         rust_layout!(StripJoint { place, extent }),
@@ -430,6 +453,9 @@ fn constants_agree_bit_for_bit() {
         motes::cpu::spread::block::CONSTANTS,
         motes::cpu::spread::gaps::CONSTANTS,
         motes::cpu::spread::insert::CONSTANTS,
+        motes::cpu::spread::drop::CONSTANTS,
+        motes::cpu::drops::CONSTANTS,
+        motes::cpu::draw::marks::CONSTANTS,
         motes::cpu::fan::CONSTANTS,
         motes::cpu::detail::CONSTANTS,
         motes::cpu::draw::flame_discs::CONSTANTS,

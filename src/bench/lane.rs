@@ -10,7 +10,9 @@ use crate::cpu::CpuBackend;
 use crate::gpu::{
     GpuBackend, GpuOptions, Load, STAGE_KERNELS, Traffic, stage_traffic, stages_of, traffic,
 };
-use crate::layout::{COVERS_OF_BOIDS, COVERS_OF_PARTICLES, COVERS_SEEN, FrameStats};
+use crate::layout::{
+    COVERS_OF_BOIDS, COVERS_OF_MARKS, COVERS_OF_PARTICLES, COVERS_SEEN, FrameStats,
+};
 use crate::plan::{FrameInputs, Plan, STAGES, Stage};
 
 /// A run under measurement.
@@ -177,6 +179,8 @@ impl Lane {
             pages,
             boids: plan.boid_count.into(),
             flames: plan.flame_count.into(),
+            dropped: stats.flames_live.into(),
+            marks: count(COVERS_OF_MARKS),
             points: stats.points_live.into(),
             cells: plan.cell_count.into(),
             covers,

@@ -22,8 +22,9 @@ pub(super) fn told(
     lane: &mut Lane,
     taken: Taken,
 ) -> Result<Run, BenchError> {
-    // Boids live all along.
-    let lives = |line: &FrameStats| line.live.saturating_add(plan.boid_count + plan.flame_count);
+    // Boids live all along, and so do flames that no control point drops.
+    let all_along = plan.boid_count + plan.flame_count - plan.dropped_capacity;
+    let lives = |line: &FrameStats| line.live.saturating_add(all_along + line.flames_live);
     let counts: Vec<u32> = taken.stats.iter().map(lives).collect();
     let middle = |of: fn(&FrameStats) -> u32| {
         let mut all: Vec<f64> = taken.stats.iter().map(|line| of(line).into()).collect();
@@ -34,6 +35,8 @@ pub(super) fn told(
         live: middle(|line| line.live),
         born: middle(|line| line.born),
         died: middle(|line| line.died),
+        points_live: middle(|line| line.points_live),
+        flames_live: middle(|line| line.flames_live),
         ..FrameStats::default()
     };
     let live = lives(&typical);

@@ -122,6 +122,29 @@ const SPREAD_COUNTS: Fields = &[
     ("before", false),
     ("inserted", false),
     ("ignited_from", false),
+    ("flames_total", false),
+    ("flames_first", false),
+    ("flames_requested", false),
+    ("flames_born", false),
+    ("flames_died", false),
+    ("flames_live", false),
+    ("marks_first", false),
+    ("marks_died", false),
+];
+
+const DROPPED_FLAME: Fields = &[
+    ("root.x", true),
+    ("root.y", true),
+    ("root.z", true),
+    ("fire", false),
+    ("normal.x", true),
+    ("normal.y", true),
+    ("normal.z", true),
+    ("birth_frame", false),
+    ("key", false),
+    ("number", false),
+    ("lifetime", false),
+    ("spare", false),
 ];
 
 const RING_SPAN: Fields = &[("first", false), ("last", false)];
@@ -154,6 +177,12 @@ const FRAME_STATS: Fields = &[
     ("points_born", false),
     ("points_died", false),
     ("points_live", false),
+    ("flames_requested", false),
+    ("flames_born", false),
+    ("flames_died", false),
+    ("flames_live", false),
+    ("marks_died", false),
+    ("marks_live", false),
 ];
 
 const NODE: Fields = &[
@@ -263,6 +292,7 @@ fn fields(name: &str) -> Fields {
         _ if ["flame_steps", "boid_trails"].contains(&name) => PLACE,
         ("SpreadPoint", _) => SPREAD_POINT,
         ("SpreadCounts", _) => SPREAD_COUNTS,
+        ("DroppedFlame", _) => DROPPED_FLAME,
         _ if name == "ring_spans" => RING_SPAN,
         _ if name == "flame_bounds" => FLAME_BOUNDS,
         ("Particle", _) => PARTICLE,

@@ -142,10 +142,11 @@ pub fn compare(
         (outcome.state_digest, outcome.image_digest) = (states.0, images.0);
         for line in &statistics.0 {
             let [_, _, burning] = plan.flames_at(line.frame.cast_signed());
-            let lives = line.live + plan.boid_count + burning + line.points_live;
+            let lives = line.live + plan.boid_count + burning + line.points_live + line.flames_live;
             outcome.most_particles = outcome.most_particles.max(lives);
             outcome.dropped += u64::from(line.dropped);
             outcome.dropped += u64::from(line.points_requested - line.points_born);
+            outcome.dropped += u64::from(line.flames_requested - line.flames_born);
         }
         progress(frame);
         if statistics.0 != statistics.1 {

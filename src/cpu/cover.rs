@@ -9,8 +9,8 @@ use crate::exact::{
     shared_constants, snap, snap3, square_root, to_i32,
 };
 use crate::layout::{
-    COVER_CONE, COVER_MIRRORED, COVER_NONE, COVER_SEGMENT, COVER_SOFT_DISC, COVER_SQUARE,
-    COVER_TRIANGLE, COVER_TWIN, Cover,
+    COVER_CONE, COVER_MIRRORED, COVER_NONE, COVER_SEGMENT, COVER_SLANTED, COVER_SOFT_DISC,
+    COVER_SQUARE, COVER_TRIANGLE, COVER_TWIN, Cover,
 };
 
 shared_constants! {
@@ -300,10 +300,15 @@ pub fn coverage_at(cover: &Cover, x: i32, y: i32) -> f32 {
     } else {
         let dx = center_x - ax;
         let dy = center_y - ay;
-        square_root(dx * dx + dy * dy)
+        let mut squared = dx * dx + dy * dy;
+        if kind == COVER_SLANTED {
+            let behind_px = bx * dx + by * dy;
+            squared += behind_px * behind_px;
+        }
+        square_root(squared)
     };
     let within = clamp_exact((u - distance) * v, 0.0, 1.0);
-    if kind == COVER_SOFT_DISC {
+    if kind == COVER_SOFT_DISC || kind == COVER_SLANTED {
         within * within * (3.0 - 2.0 * within)
     } else {
         within

@@ -147,6 +147,12 @@ pub fn stepped(
     Along { position, velocity }
 }
 
+/// Whether the places are told that the point lights' are counted from.
+#[inline]
+pub fn tells_roots(fire: &FireFrame) -> bool {
+    fire.faces[2] == 1
+}
+
 /// The flame whose root a point light's place is counted from: one of every so many.
 #[inline]
 pub fn light_seed(fire: &FireFrame, light: u32) -> u32 {

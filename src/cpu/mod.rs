@@ -9,6 +9,7 @@ pub mod detail;
 mod digest;
 pub mod disc;
 pub mod draw;
+pub mod drops;
 pub mod emission;
 pub mod fan;
 pub mod flame;
@@ -79,6 +80,8 @@ pub struct CpuBackend {
     /// Whether anything covers; if not, what follows is empty.
     has_covers: bool,
     covers: Vec<Cover>,
+    /// How many of them are of particles, of boids, of marks and of fronts.
+    families: [usize; 4],
     cover_rg: Vec<[u32; 2]>,
     cover_bt: Vec<[u32; 2]>,
     image: Vec<u32>,
@@ -127,6 +130,7 @@ impl CpuBackend {
             light: LightSums::new(plan.width, plan.height),
             has_covers: plan.uses.covers,
             covers: Vec::new(),
+            families: [0; 4],
             cover_rg: try_zeroed(covered_pixels, "covered pixels")?,
             cover_bt: try_zeroed(covered_pixels, "covered pixels")?,
             image: try_zeroed(pixels, "pixels")?,
@@ -165,7 +169,10 @@ impl CpuBackend {
             Stage::Hatch => self.flocks.hatch(inputs),
             Stage::Cells => self.flocks.sort(inputs),
             Stage::Steer => self.flocks.steer(inputs),
-            Stage::Kindle => self.flames.kindle(inputs),
+            Stage::Kindle => {
+                self.flames.kindle(inputs);
+                self.flames.kindle_dropped(inputs, &self.spreads);
+            }
             Stage::Trace => self.flames.trace(inputs),
             Stage::Lights => self.flames.gather(inputs),
             Stage::Ground => {
@@ -190,7 +197,11 @@ impl CpuBackend {
                 let records = self.particles.par_iter().with_min_len(CHUNK / 8);
                 let record = |particle| draw::shapes::shapes(particle, inputs, rows);
                 records.map(record).collect_into_vec(&mut self.covers);
+                let of_particles = self.covers.len();
                 self.flocks.shapes(inputs, &mut self.covers);
+                let of_boids = self.covers.len() - of_particles;
+                let [marks, fronts] = self.spreads.shapes(inputs, &mut self.covers);
+                self.families = [of_particles, of_boids, marks, fronts];
             }
             Stage::Cover if self.has_covers => {
                 let (rg, bt) = (&mut self.cover_rg, &mut self.cover_bt);
@@ -365,20 +376,24 @@ impl CpuBackend {
             points_born: self.spreads.counts.born,
             points_died: self.spreads.counts.died,
             points_live: self.spreads.counts.live,
+            flames_requested: self.spreads.counts.flames_requested,
+            flames_born: self.spreads.counts.flames_born,
+            flames_died: self.spreads.counts.flames_died,
+            flames_live: self.spreads.counts.flames_live,
+            marks_died: self.spreads.counts.marks_died,
+            marks_live: self.spreads.counts.marks(),
         });
         Ok(())
     }
 }
 
 impl CpuBackend {
-    /// How many records are of something, how many there are of particles, and of boids; room for
-    /// more.
+    /// How many records are of something, and how many there are of each family; room for more.
     fn cover_counts(&self) -> Vec<u32> {
         let is_something = |cover: &&Cover| cover.shape[2] != COVER_NONE;
         let something = self.covers.iter().filter(is_something).count();
-        let of_particles = self.particles.len().min(self.covers.len());
-        let of_boids = self.covers.len() - of_particles;
-        let counts = [something, of_particles, of_boids, 0, 0, 0, 0, 0];
+        let [particles, boids, marks, fronts] = self.families;
+        let counts = [something, particles, boids, marks, fronts, 0, 0, 0];
         counts.map(|count| count as u32).to_vec()
     }
 }
@@ -452,6 +467,7 @@ impl Backend for CpuBackend {
                 try_copied(bytemuck::cast_slice(&self.spreads.points), "the front")?
             }
             "moved_points" => try_copied(bytemuck::cast_slice(&self.spreads.moved), "the front")?,
+            "dropped_flames" => bytemuck::cast_slice(&self.spreads.dropped).to_vec(),
             "ring_spans" => bytemuck::cast_slice(&self.spreads.ring_spans).to_vec(),
             "spread_counts" => bytemuck::cast_slice(&[self.spreads.counts]).to_vec(),
             "covers" => try_copied(bytemuck::cast_slice(&self.covers), "what covers")?,

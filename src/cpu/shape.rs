@@ -9,8 +9,8 @@ use crate::exact::{
     bits_of, clamp_exact, f32_of_i32, less, max_exact, min_exact, reciprocal, square_root, to_i32,
 };
 use crate::layout::{
-    COVER_CONE, COVER_DISC, COVER_MIRRORED, COVER_NONE, COVER_SEGMENT, COVER_SOFT_DISC,
-    COVER_SQUARE, COVER_TRIANGLE, COVER_TWIN, Cover, Frame,
+    COVER_CONE, COVER_DISC, COVER_MIRRORED, COVER_NONE, COVER_SEGMENT, COVER_SLANTED,
+    COVER_SOFT_DISC, COVER_SQUARE, COVER_TRIANGLE, COVER_TWIN, Cover, Frame,
 };
 
 /// What a shape looks like.
@@ -71,6 +71,26 @@ pub fn disc_of(x: f32, y: f32, radius_px: f32, softness: f32, look: &Look) -> Co
         [x, y, reciprocal(edge), 0.0],
         [reach, reciprocal(1.0 + softness * (reach - 1.0))],
         look.color.w * gain,
+        look,
+    )
+}
+
+/// A soft disc that is seen at a slant, pixels: `slope` is how much farther away it is a pixel to the
+/// right and down, in pixels.
+pub fn slanted_disc_of(
+    x: f32,
+    y: f32,
+    radius_px: f32,
+    softness: f32,
+    slope: Vec2,
+    look: &Look,
+) -> Cover {
+    let reach = edged_radius(radius_px) + 0.5;
+    record(
+        COVER_SLANTED,
+        [x, y, slope.x, slope.y],
+        [reach, reciprocal(1.0 + softness * (reach - 1.0))],
+        look.color.w,
         look,
     )
 }

@@ -59,6 +59,8 @@ enum Work {
     TrailedBoids,
     /// Fire by fire, one a flame.
     Fires,
+    /// One a flame that control points may have dropped.
+    Dropped,
     /// One a flame of any fire.
     Flames,
     /// The same, told that it is of no details.
@@ -69,7 +71,15 @@ enum Work {
     Crowd,
     /// One for every 32 of them.
     PointRuns,
-    /// One invocation, told how many there may be.
+    /// The same, told how many flames there may be.
+    Dropping,
+    /// One for each place of a dropped flame, told how many, if they leave marks.
+    Marks,
+    /// One a control point, if fronts are drawn as lines.
+    FrontLines,
+    /// One for every 32 flames that control points may have dropped, told how many those are.
+    FlameRuns,
+    /// One invocation, told how many points and flames there may be.
     Book,
     /// One a point of the rings that begin in one frame, at most.
     Ignited,
@@ -207,8 +217,18 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
     },
     KernelUse {
         stage: Stage::Insert,
+        kernel: "spread/burning",
+        work: Work::FlameRuns,
+    },
+    KernelUse {
+        stage: Stage::Insert,
         kernel: "spread/book",
         work: Work::Book,
+    },
+    KernelUse {
+        stage: Stage::Insert,
+        kernel: "spread/drop",
+        work: Work::Dropping,
     },
     KernelUse {
         stage: Stage::Insert,
@@ -321,6 +341,11 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
         work: Work::Fires,
     },
     KernelUse {
+        stage: Stage::Kindle,
+        kernel: "flames/dropped",
+        work: Work::Dropped,
+    },
+    KernelUse {
         stage: Stage::Trace,
         kernel: "flames/trace",
         work: Work::Flames,
@@ -354,6 +379,16 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
         stage: Stage::Shapes,
         kernel: "draw/boid_trails",
         work: Work::TrailedBoids,
+    },
+    KernelUse {
+        stage: Stage::Shapes,
+        kernel: "draw/marks",
+        work: Work::Marks,
+    },
+    KernelUse {
+        stage: Stage::Shapes,
+        kernel: "draw/front_lines",
+        work: Work::FrontLines,
     },
     KernelUse {
         stage: Stage::Cover,
@@ -672,7 +707,31 @@ impl GpuBackend {
                 push(0, 0, &[mask], direct(plan.point_capacity))
             }
             Work::PointRuns => push(0, 0, &[], direct(plan.point_capacity.div_ceil(32))),
-            Work::Book => push(0, 0, &[plan.point_capacity], Size::Direct(1, 1)),
+            Work::Book => {
+                let room = [
+                    plan.point_capacity,
+                    plan.dropped_capacity,
+                    plan.dropped_places,
+                ];
+                push(0, 0, &room, Size::Direct(1, 1))
+            }
+            Work::Marks if plan.uses.marks => {
+                push(0, 0, &[plan.dropped_places], direct(plan.dropped_places))
+            }
+            Work::FrontLines if plan.uses.front_lines => {
+                push(0, 0, &[], direct(plan.point_capacity))
+            }
+            Work::Marks | Work::FrontLines => Ok(()),
+            Work::Dropping => push(0, 0, &[plan.dropped_places], direct(plan.point_capacity)),
+            Work::FlameRuns => {
+                let count = plan.dropped_capacity;
+                push(0, 0, &[plan.dropped_places], direct(count.div_ceil(32)))
+            }
+            Work::Dropped => {
+                let count = plan.dropped_capacity;
+                let told = [plan.flame_count - count, count, plan.dropped_places];
+                push(0, 0, &told, direct(count))
+            }
             Work::Ignited => push(0, 0, &[], direct(plan.spreads.most_ignited())),
             Work::Flames => push(0, 0, &[plan.flame_count], direct(plan.flame_count)),
             Work::FlameLights => push(0, 0, &[plan.fire_count], direct(FLAME_LIGHTS)),

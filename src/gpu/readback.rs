@@ -8,7 +8,8 @@ use super::device::GpuDevice;
 use super::memory::Memory;
 use crate::backend::BackendError;
 use crate::layout::{
-    Boid, Cover, FLAME_STEPS, Flame, FlameDisc, FrameStats, Node, SpreadPoint, SystemFrame,
+    Boid, Cover, DroppedFlame, FLAME_STEPS, Flame, FlameDisc, FrameStats, Node, SpreadCounts,
+    SpreadPoint, SystemFrame,
 };
 
 /// Lines in the device's ring; `wgsl/scan/survivors.wgsl` has the same.
@@ -25,6 +26,9 @@ const BOID_WORDS: u64 = size_of::<Boid>() as u64 / 4;
 
 /// Words a flame.
 const FLAME_WORDS: u64 = size_of::<Flame>() as u64 / 4;
+
+/// Words a dropped flame.
+const DROPPED_WORDS: u64 = size_of::<DroppedFlame>() as u64 / 4;
 
 /// Words a control point.
 const POINT_WORDS: u64 = size_of::<SpreadPoint>() as u64 / 4;
@@ -101,7 +105,8 @@ impl GpuBackend {
             // Those that were there before the frame's insertions, as of the last.
             "moved_points" => u64::from(self.moved_count()?) * POINT_WORDS,
             "ring_spans" => u64::from(self.ring_count) * 2,
-            "spread_counts" => 8,
+            "dropped_flames" => u64::from(self.dropped_places) * DROPPED_WORDS,
+            "spread_counts" => size_of::<SpreadCounts>() as u64 / 4,
             "boid_cells" => u64::from(self.boid_count),
             "cell_starts" => u64::from(self.cell_count) + 1,
             "deaths" => 2,

@@ -2,7 +2,7 @@
 
 use super::{GpuBackend, StatisticsRing};
 use crate::backend::{BackendError, Living};
-use crate::layout::{Counts, SpreadCounts};
+use crate::layout::{Counts, DroppedFlame, SpreadCounts};
 use crate::plan::{FrameInputs, Stage};
 
 /// Words of a particle.
@@ -37,11 +37,14 @@ impl GpuBackend {
         self.gpu.queue.submit([]);
         if !living.front.is_empty() {
             let (counts, rest) = living.front.split_at(size_of::<SpreadCounts>() / 4);
-            let (spans, points) = rest.split_at(2 * self.ring_count as usize);
+            let (spans, rest) = rest.split_at(2 * self.ring_count as usize);
+            let flames = self.dropped_places as usize * (size_of::<DroppedFlame>() / 4);
+            let (flames, points) = rest.split_at(flames);
             for (name, words) in [
                 ("spread_counts", counts),
                 ("ring_spans", spans),
                 ("control_points", points),
+                ("dropped_flames", flames),
             ] {
                 let buffer = self.memory.named(name)?;
                 self.gpu.write(buffer, 0, bytemuck::cast_slice(words))?;

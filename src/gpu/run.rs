@@ -53,6 +53,7 @@ impl GpuBackend {
             ("obstacles", bytemuck::cast_slice(&inputs.obstacles)),
             ("fires", bytemuck::cast_slice(&inputs.fires)),
             ("listed_flames", bytemuck::cast_slice(&inputs.listed_flames)),
+            ("light_roots", bytemuck::cast_slice(&inputs.light_roots)),
             ("age_looks", bytemuck::cast_slice(&inputs.age_looks)),
             ("spreads", bytemuck::cast_slice(&inputs.spreads)),
             ("due_ignitions", bytemuck::cast_slice(&inputs.due_ignitions)),

@@ -8,8 +8,8 @@
 use super::commands::STAGE_KERNELS;
 use super::sort;
 use crate::layout::{
-    Boid, Cover, Dispatch, FLAME_LIGHTS, FLAME_STEPS, Flame, FlameDisc, FlameLight, Node, Particle,
-    Pose, SpreadPoint, StripJoint, SystemFrame, SystemRow, Walker,
+    Boid, Cover, Dispatch, DroppedFlame, FLAME_LIGHTS, FLAME_STEPS, Flame, FlameDisc, FlameLight,
+    Node, Particle, Pose, SpreadPoint, StripJoint, SystemFrame, SystemRow, Walker,
 };
 use crate::plan::{Stage, Uses};
 
@@ -38,6 +38,10 @@ pub struct Load {
     pub cells: u64,
     /// Flames of all fires.
     pub flames: u64,
+    /// Those of them that control points may have dropped.
+    pub dropped: u64,
+    /// Records of places of dropped flames.
+    pub marks: u64,
     /// Control points of fires that spread.
     pub points: u64,
     /// Records of what covers, those of nothing included.
@@ -69,6 +73,7 @@ const BOID: u64 = size_of::<Boid>() as u64;
 
 /// Bytes a flame, those of the places of its particle, and of them as they are seen.
 const FLAME: u64 = size_of::<Flame>() as u64;
+const DROPPED: u64 = size_of::<DroppedFlame>() as u64;
 const FLAME_PLACES: u64 = FLAME_STEPS as u64 * 16;
 const FLAME_DISCS: u64 = FLAME_STEPS as u64 * size_of::<FlameDisc>() as u64;
 
@@ -180,10 +185,16 @@ static TABLE: &[Line] = &[
         let runs = load.points.div_ceil(32);
         (load.points, load.points * WORD + runs * 4 * WORD)
     }),
+    ("spread/burning", |load| {
+        let runs = load.dropped.div_ceil(32);
+        (load.dropped, load.dropped * DROPPED + runs * 2 * WORD)
+    }),
     ("spread/book", |load| {
         let runs = load.points.div_ceil(32);
         (runs, runs * 8 * WORD)
     }),
+    // Few points drop a flame in a frame.
+    ("spread/drop", |load| (load.points, load.points * WORD)),
     ("spread/insert", |load| {
         let runs = load.points.div_ceil(32);
         (load.points, load.points * 2 * POINT + runs * 4 * WORD)
@@ -264,6 +275,9 @@ static TABLE: &[Line] = &[
         (load.boids, load.boids * 2 * BOID + load.full_cells() * WORD)
     }),
     ("flames/kindle", |load| (load.flames, load.flames * FLAME)),
+    ("flames/dropped", |load| {
+        (load.dropped, load.dropped * (DROPPED + FLAME))
+    }),
     ("flames/trace", |load| {
         // Wind is looked up at every place.
         let places = load.flames * u64::from(FLAME_STEPS);
@@ -286,6 +300,12 @@ static TABLE: &[Line] = &[
     ("draw/boid_trails", |load| {
         let records = load.trail_segments;
         (records, records * (4 * WORD + COVER))
+    }),
+    ("draw/marks", |load| {
+        (load.marks, load.marks * (DROPPED + COVER))
+    }),
+    ("draw/front_lines", |load| {
+        (load.points, load.points * (POINT + COVER))
     }),
     ("draw/cover_work", |_| {
         // Counts of families, their sum, what the sort and one round are dispatched by.

@@ -126,6 +126,11 @@ pub struct FireFrame {
     /// Of strips: half the noise cells across, cells a step along, contrast; how far noise changes
     /// the matrix.
     pub strip: [f32; 4],
+    /// Colour with which char begins to glow; its opacity, 0 if none is left.
+    pub char_look: [f32; 4],
+    /// How wide it is, world units; how soft, 0 to 1; the inverse of the frames that it glows, and of those
+    /// in which it appears.
+    pub char_shape: [f32; 4],
     /// What a weight of 1 throws on a white surface a world unit away; the square of a light's
     /// extent.
     pub light: [f32; 4],
@@ -138,7 +143,8 @@ pub struct FireFrame {
     pub kinds: [u32; 4],
     /// First flame and how many; first listed flame and how many.
     pub members: [u32; 4],
-    /// First face of the mesh and how many; the others unused.
+    /// First face of the mesh and how many; 1 if the places that its point lights' are counted from are
+    /// told, 0 if they are those of flames; unused.
     pub faces: [u32; 4],
     /// The first frame; frames of kindling; frames that a flame burns, 0 for ever; frames of growth.
     pub times: [u32; 4],

@@ -25,12 +25,16 @@ shared_constants! {
     pub const SPREAD_FLAT: u32 = 8;
     /// Points are stopped where it has burnt.
     pub const SPREAD_BLOCKS: u32 = 16;
+    /// What a point has come beyond d_d counts for the next flame, and it may drop several at once.
+    pub const SPREAD_CARRIES: u32 = 32;
     /// Bit of `gap_flags`: a point is inserted after this one.
     pub const GAP_INSERTS: u32 = 1;
     /// The point moves.
     pub const GAP_MOVES: u32 = 2;
     /// The point came to rest in this frame.
     pub const GAP_CAME_TO_REST: u32 = 4;
+    /// How far up the number of flames is that it drops.
+    pub const GAP_DROPS_SHIFT: u32 = 8;
 }
 
 /// A control point of a front: 64 bytes. Points of a ring stand one after the other, counterclockwise,
@@ -134,6 +138,10 @@ pub struct SpreadFrame {
     pub distances: [f32; 4],
     /// Slot of its fire; `SPREAD_` constants; the others unused.
     pub kinds: [u32; 4],
+    /// Colour and opacity of the front's line.
+    pub line_look: [f32; 4],
+    /// How wide it is, world units, 0 if there is none; the others unused.
+    pub line_shape: [f32; 4],
 }
 
 /// A ring that is to begin.
@@ -169,4 +177,40 @@ pub struct SpreadCounts {
     pub inserted: u32,
     /// Points at the end of insertions, where rings begin that are new.
     pub ignited_from: u32,
+    /// Flames dropped up to now, which are numbered from 0.
+    pub flames_total: u32,
+    /// The first of them that may burn yet: all before it have gone out.
+    pub flames_first: u32,
+    /// Flames that were to be dropped in this frame.
+    pub flames_requested: u32,
+    /// Those that were.
+    pub flames_born: u32,
+    /// Dropped flames that have gone out in this frame.
+    pub flames_died: u32,
+    /// Those that burn.
+    pub flames_live: u32,
+    /// The first flame that has its place yet: all before it have lost theirs to newer ones.
+    pub marks_first: u32,
+    /// How many have lost theirs in this frame.
+    pub marks_died: u32,
+}
+
+impl SpreadCounts {
+    /// Dropped flames that have gone out and have their places yet.
+    pub fn marks(&self) -> u32 {
+        self.flames_total - self.marks_first - self.flames_live
+    }
+}
+
+/// A flame that a control point has dropped, in its fire's space: 48 bytes. Flame k is in place k modulo
+/// how many there may be.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+pub struct DroppedFlame {
+    /// x, y, z as bits; slot of its fire.
+    pub root_and_fire: [u32; 4],
+    /// Outward unit normal of its face, as bits; the frame that it is dropped in.
+    pub normal_and_birth: [u32; 4],
+    /// Its key; its number; how many frames it burns, 0 for ever; unused.
+    pub identity: [u32; 4],
 }

@@ -57,10 +57,12 @@ pub struct BoidCounts {
     pub live: u64,
 }
 
-/// What happened to a population of flames in one frame: nobody is left out.
+/// What happened to a population of flames in one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FlameCounts {
-    /// Those that were kindled; in a run's first frame, all that burn.
+    /// Those that were to be kindled.
+    pub requested: u64,
+    /// Those that were; in a run's first frame, all that burn. For the rest there was no room.
     pub born: u64,
     /// Those that went out.
     pub died: u64,
@@ -79,6 +81,18 @@ pub struct PointCounts {
     /// Points that came to rest, at a border or where it has burnt.
     pub died: u64,
     /// Points that move.
+    pub live: u64,
+}
+
+/// What happened to the marks of flames that have gone out in one frame: `live` is that of the frame
+/// before, plus `born`, minus `died`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct MarkCounts {
+    /// Flames that have gone out.
+    pub born: u64,
+    /// Marks that have lost their places to newer ones.
+    pub died: u64,
+    /// Marks that are there.
     pub live: u64,
 }
 
@@ -102,6 +116,8 @@ pub enum Measured {
     Flames(FlameCounts),
     /// Control points of fires that spread (`spread`).
     Points(PointCounts),
+    /// Marks of flames that have gone out (`char`); its digest stays empty.
+    Marks(MarkCounts),
     /// A drawn frame (`image`); its counts stay empty, and its digest is that of its RGBA8 pixels.
     Image,
 }
@@ -208,8 +224,15 @@ impl StatsRow<'_> {
                 let counts = format!("flock,{born},{born},0,{},0", metrics.count);
                 (counts, ",,".to_owned(), Some(metrics))
             }
-            Measured::Flames(FlameCounts { born, died, live }) => {
-                let counts = format!("flames,{born},{born},{died},{live},0");
+            Measured::Flames(counts) => {
+                let FlameCounts {
+                    requested,
+                    born,
+                    died,
+                    live,
+                } = counts;
+                let dropped = requested.saturating_sub(born);
+                let counts = format!("flames,{requested},{born},{died},{live},{dropped}");
                 (counts, ",,".to_owned(), None)
             }
             Measured::Points(counts) => {
@@ -221,6 +244,10 @@ impl StatsRow<'_> {
                 } = counts;
                 let dropped = requested.saturating_sub(born);
                 let counts = format!("spread,{requested},{born},{died},{live},{dropped}");
+                (counts, ",,".to_owned(), None)
+            }
+            Measured::Marks(MarkCounts { born, died, live }) => {
+                let counts = format!("char,{born},{born},{died},{live},0");
                 (counts, ",,".to_owned(), None)
             }
             Measured::Image => ("image,,,,,".to_owned(), ",,".to_owned(), None),

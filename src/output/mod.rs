@@ -42,8 +42,8 @@ mod target;
 pub(crate) use atomic::{AtomicFile, probe};
 pub(crate) use csv::quoted_field;
 pub use csv::{
-    BoidCounts, FlameCounts, Measured, ParticleCounts, PointCounts, StatsRow, StatsWriter,
-    SystemCounts,
+    BoidCounts, FlameCounts, MarkCounts, Measured, ParticleCounts, PointCounts, StatsRow,
+    StatsWriter, SystemCounts,
 };
 pub use error::OutputError;
 pub use exr::write_exr;

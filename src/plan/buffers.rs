@@ -2,8 +2,8 @@
 
 use super::Plan;
 use crate::layout::{
-    AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, FLAME_LIGHTS, FLAME_STEPS, FireFrame,
-    Flame, FlameDisc, FlameLight, FlockFrame, Frame, FrameStats, Ground, Ignition, Lamp,
+    AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, DroppedFlame, FLAME_LIGHTS, FLAME_STEPS,
+    FireFrame, Flame, FlameDisc, FlameLight, FlockFrame, Frame, FrameStats, Ground, Ignition, Lamp,
     ListedFlame, Node, Obstacle, Particle, Pillar, Planet, Pose, Relation, SpreadCounts,
     SpreadEdge, SpreadFace, SpreadFeature, SpreadFrame, SpreadPoint, StripJoint, SystemFrame,
     SystemRow, Walker, Wind,
@@ -85,6 +85,10 @@ pub enum Count {
     SpreadFeatures,
     /// One a ring of control points.
     Rings,
+    /// One for each place of a flame that control points have dropped.
+    DroppedPlaces,
+    /// One for every so many flames that control points may have dropped.
+    DroppedFlames(u32),
     /// One for each list of control points that are near to each other, and one a control point.
     Crowd,
     /// One for every so many control points; the last may stand for fewer.
@@ -367,6 +371,13 @@ pub static BUFFERS: &[Buffer] = {
             Count::Fires(1),
         ),
         buffer_of(
+            "light_roots",
+            Input,
+            "vec4<f32>",
+            16,
+            Count::Fixed(FLAME_LIGHTS),
+        ),
+        buffer_of(
             "listed_flames",
             Input,
             "ListedFlame",
@@ -488,9 +499,24 @@ pub static BUFFERS: &[Buffer] = {
             size_of::<Walker>(),
             Count::PointsOver(1),
         ),
+        buffer_of(
+            "dropped_flames",
+            State,
+            "DroppedFlame",
+            size_of::<DroppedFlame>(),
+            Count::DroppedPlaces,
+        ),
         buffer_of("crowd", Scratch, "u32", 4, Count::Crowd),
         buffer_of("gap_flags", Scratch, "u32", 4, Count::PointsOver(1)),
         buffer_of("gap_runs", Scratch, "vec4<u32>", 16, Count::PointsOver(32)),
+        buffer_of("drop_runs", Scratch, "vec2<u32>", 8, Count::PointsOver(32)),
+        buffer_of(
+            "flame_runs",
+            Scratch,
+            "vec2<u32>",
+            8,
+            Count::DroppedFlames(32),
+        ),
         buffer_of("covers", State, "Cover", size_of::<Cover>(), Count::Covers),
         buffer_of("cover_counts", State, "u32", 4, Count::Fixed(8)),
         buffer_of(
@@ -551,6 +577,8 @@ impl Buffer {
             Count::SpreadFaces(each) => plan.spreads.faces.len() as u32 * each,
             Count::SpreadFeatures => plan.spreads.features.len() as u32,
             Count::Rings => plan.ring_count,
+            Count::DroppedPlaces => plan.dropped_places,
+            Count::DroppedFlames(each) => plan.dropped_capacity.div_ceil(each),
             Count::Crowd if plan.blocks => plan.crowd_lists() + plan.point_capacity,
             Count::Crowd => 0,
             Count::PointsOver(each) => plan.point_capacity.div_ceil(each),

@@ -89,6 +89,7 @@ fn fire_frame(
     let flags = u32::from(fire.normalised) * layout::FIRE_NORMALISED
         | u32::from(is_strip) * layout::FIRE_STRIP;
     let burning = fire.burning;
+    let (char_look, char_shape) = char_of(fire);
     FireFrame {
         world_from_fire_x: here[0],
         world_from_fire_y: here[1],
@@ -132,7 +133,7 @@ fn fire_frame(
             flags,
         ],
         members: [0; 4],
-        faces: [faces.0, faces.1, 0, 0],
+        faces: [faces.0, faces.1, u32::from(fire.spread.is_some()), 0],
         times: [
             burning.first_frame.cast_unsigned(),
             burning.kindling_frames,
@@ -154,10 +155,28 @@ fn fire_frame(
             fire.matrix_noise,
         ]
         .map(snap),
+        char_look,
+        char_shape,
         light: [0.0; 4],
         light_scale: [0.0; 4],
         lights: [0; 4],
     }
+}
+
+/// [`FireFrame::char_look`] and [`FireFrame::char_shape`].
+fn char_of(fire: &Fire) -> ([f32; 4], [f32; 4]) {
+    let left = fire.spread.as_ref().and_then(|spread| spread.char);
+    left.map_or(([0.0; 4], [0.0; 4]), |char| {
+        let [red, green, blue] = char.glow;
+        let shape = [
+            char.size.unwrap_or(fire.width.mean),
+            char.edge_softness,
+            1.0 / char.glow_frames,
+            1.0 / char.appear_frames,
+        ];
+        let look = [red, green, blue, char.opacity];
+        (look.map(snap), shape.map(snap))
+    })
 }
 
 /// One noise for all fires, so that flames of several move together where they are near.

@@ -5,6 +5,7 @@ use super::camera::{camera_frame, layer_planes};
 use super::fire::fires_of;
 use super::flock::flocks_of;
 use super::ground::{ground_of, has_ground};
+use super::lights::light_roots;
 use super::planet::{lamps_of, outline_of, planet_of};
 use super::spread::spread_frames;
 use super::system::{Moments, bounds_of, system_frame, system_row};
@@ -55,6 +56,9 @@ pub struct FrameInputs {
     pub obstacles: Vec<Obstacle>,
     /// One a fire.
     pub fires: Vec<FireFrame>,
+    /// Places that point lights' are counted from, world space, one a light, fire by fire; w unused. Those
+    /// of fires that do not tell them are unused.
+    pub light_roots: Vec<[f32; 4]>,
     /// The flames that are told one by one, fire by fire.
     pub listed_flames: Vec<ListedFlame>,
     /// What flames look like at each age, fire by fire.
@@ -118,6 +122,7 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
         lamps_of(&now).0
     };
     let (fires, listed_flames, age_looks) = fires_of(&now, &earlier, &plan.meshes, number);
+    let light_roots = light_roots(&now, &fires, &plan.spreads);
     let flame_lights = fires.iter().map(|fire| fire.lights[1]).sum();
     let (grounds, pillars) = ground_of(&now, flame_lights);
     let frame = Frame {
@@ -147,6 +152,7 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
         relations,
         obstacles,
         fires,
+        light_roots,
         listed_flames,
         age_looks,
         spreads: spread_frames(&now),

@@ -3,9 +3,10 @@
 use glam::{Vec3, Vec4};
 
 use super::meshes::MeshTables;
-use crate::exact::{length3, reciprocal, snap};
-use crate::layout::{AgeLook, FLAME_STEPS};
-use crate::scene::{Fire, LightFrom, Roots};
+use super::spread::SpreadTables;
+use crate::exact::{dot3, length3, reciprocal, snap};
+use crate::layout::{AgeLook, FLAME_LIGHTS, FLAME_STEPS, FireFrame};
+use crate::scene::{Fire, LightFrom, Roots, Scene};
 
 /// Area of a regular polygon of 20 corners on the unit circle.
 const FAN_AREA: f32 = 3.090_17;
@@ -32,10 +33,16 @@ fn ages(from: LightFrom) -> [u32; 2] {
     }
 }
 
-/// [`FireFrame::lights`](crate::layout::FireFrame::lights): no more than the fire has flames.
+/// [`FireFrame::lights`](crate::layout::FireFrame::lights): no more than the fire has flames, unless it
+/// spreads.
 pub(super) fn ages_of(fire: &Fire, first: u32) -> [u32; 4] {
     let [youngest, oldest] = ages(fire.lights.from);
-    let count = fire.lights.count.min(fire.count());
+    let most = if fire.spread.is_some() {
+        FLAME_LIGHTS
+    } else {
+        fire.count()
+    };
+    let count = fire.lights.count.min(most);
     [first, count, youngest, oldest]
 }
 
@@ -47,7 +54,8 @@ pub(super) fn light_of(fire: &Fire, looks: &[AgeLook], meshes: &MeshTables) -> L
         let half_width = half(flame.width.unwrap_or(widest));
         flame.brightness * half_width * half_width
     });
-    let of_roots = half(widest) * half(widest) * f32::from(u8::from(fire.roots.count() > 0));
+    let has_widest = fire.roots.count() > 0 || fire.spread.is_some();
+    let of_roots = half(widest) * half(widest) * f32::from(u8::from(has_widest));
     let most = fire.brightness * own.fold(of_roots, f32::max);
     let sum: Vec3 = looks.iter().map(|look| mean_light(fire, look)).sum();
     let light = sum * (FAN_AREA * PER_HALF_SPACE * fire.lights.gain * most);
@@ -96,5 +104,35 @@ fn extent_of(fire: &Fire, meshes: &MeshTables) -> f32 {
     };
     let listed = fire.listed.iter();
     let of_listed = listed.map(|flame| length3(Vec3::from(flame.position)));
-    2.0 * of_listed.fold(of_roots, f32::max)
+    let spread = fire.spread.iter();
+    let of_spread = spread.map(|spread| spread.surface.extent() as f32);
+    2.0 * of_listed.chain(of_spread).fold(of_roots, f32::max)
+}
+
+/// Places that the point lights of fires that spread are counted from: of each as many as it has, far
+/// from each other on what burns.
+pub(super) fn light_roots(
+    now: &Scene,
+    fires: &[FireFrame],
+    tables: &SpreadTables,
+) -> Vec<[f32; 4]> {
+    let mut roots = Vec::new();
+    let mut of_spreads = tables.light_places();
+    for (fire, frame) in now.fires.iter().zip(fires) {
+        let places = fire.spread.as_ref().and_then(|_| of_spreads.next());
+        let rows = [
+            frame.world_from_fire_x,
+            frame.world_from_fire_y,
+            frame.world_from_fire_z,
+        ];
+        let all = places.into_iter().flatten().copied();
+        // A mesh may have fewer places than the fire lights.
+        let all = all.chain(std::iter::repeat([0.0; 3]));
+        roots.extend(all.take(frame.lights[1] as usize).map(|place| {
+            let place = Vec3::from(place);
+            let [x, y, z] = rows.map(|row| snap(dot3(Vec3::from_slice(&row), place) + row[3]));
+            [x, y, z, 0.0]
+        }));
+    }
+    roots
 }

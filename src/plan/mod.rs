@@ -100,10 +100,14 @@ pub struct Plan {
     pub fire_count: u32,
     /// Flames of all fires.
     pub flame_count: u32,
-    /// How often the particles along flames are drawn again, smaller, beside their ways.
-    pub detail_passes: u32,
+    /// Those of them that control points may have dropped: the last.
+    pub dropped_capacity: u32,
+    /// Places for those while they burn and for the marks that they leave: at least as many.
+    pub dropped_places: u32,
     /// Those of them that are told one by one.
     pub listed_flame_count: u32,
+    /// How often the particles along flames are drawn again, smaller, beside their ways.
+    pub detail_passes: u32,
     /// Pixels across.
     pub width: u32,
     /// Pixels down.
@@ -216,7 +220,9 @@ impl Plan {
             relation_count: most(&relations),
             cell_count: most(&|scene| flock::cell_count(scene)),
             fire_count: scene.fires.len() as u32,
-            flame_count: scene.fires.iter().map(Fire::count).sum(),
+            flame_count: scene.fires.iter().map(Fire::count).sum::<u32>() + dropped_capacity(scene),
+            dropped_capacity: dropped_capacity(scene),
+            dropped_places: dropped_capacity(scene) + mark_places(scene)?,
             detail_passes: most(&|scene| fire::detail_passes(scene)),
             listed_flame_count: scene
                 .fires
@@ -360,10 +366,21 @@ impl Plan {
         (2 * self.point_capacity).next_power_of_two()
     }
 
-    /// Records of what covers, at most: one a particle, and those of boids, if anything covers.
+    /// Records of what covers, at most: one a particle, those of boids, of marks and of fronts, if anything
+    /// covers.
     pub fn cover_capacity(&self) -> u32 {
         if self.uses.covers {
-            self.capacity + self.boid_cover_count
+            let marks = if self.uses.marks {
+                self.dropped_places
+            } else {
+                0
+            };
+            let lines = if self.uses.front_lines {
+                self.point_capacity
+            } else {
+                0
+            };
+            self.capacity + self.boid_cover_count + marks + lines
         } else {
             0
         }
@@ -402,6 +419,26 @@ fn point_capacity(scene: &Scene) -> Result<u32, PlanError> {
     })
 }
 
+/// Flames that control points may have dropped at once, of all fires together.
+fn dropped_capacity(scene: &Scene) -> u32 {
+    let most = spread::spreads_of(scene).map(|(_, spread)| spread.max_flames);
+    most.sum()
+}
+
+/// Places for marks of flames that have gone out, of all fires together.
+fn mark_places(scene: &Scene) -> Result<u32, PlanError> {
+    const MOST: u32 = 1_000_000;
+    let chars = spread::spreads_of(scene).filter_map(|(_, spread)| spread.char);
+    let wanted = chars.fold(0u32, |sum, char| sum.saturating_add(char.max_marks));
+    if wanted <= MOST {
+        return Ok(wanted);
+    }
+    Err(PlanError {
+        message: format!("this scene's fires may leave {wanted} marks in all"),
+        help: format!("`max_marks` that sum to at most {MOST}"),
+    })
+}
+
 /// Whether all bounds of the scenes have room.
 fn check_bounds(scenes: &[&Scene]) -> Result<(), PlanError> {
     let count = |scene: &&Scene| -> usize {
@@ -426,14 +463,16 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
             .map(|flock| (flock.name.clone(), flock.count, flock.trail_frames))
             .collect()
     };
-    type Burns = Option<(u64, u32, Vec<crate::scene::Ignition>)>;
+    type Burns = Option<(u64, [u32; 3], Vec<crate::scene::Ignition>)>;
     let fires = |scene: &Scene| -> Vec<(String, usize, u32, Burns)> {
         let fires = scene.fires.iter();
         fires
             .map(|fire| {
                 let spread = fire.spread.as_ref().map(|spread| {
                     let digest = spread.surface.digest();
-                    (digest, spread.max_points, spread.ignitions.clone())
+                    let marks = spread.char.map_or(0, |char| char.max_marks);
+                    let most = [spread.max_points, spread.max_flames, marks];
+                    (digest, most, spread.ignitions.clone())
                 });
                 (fire.name.clone(), fire.listed.len(), fire.count(), spread)
             })

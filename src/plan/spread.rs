@@ -6,8 +6,8 @@ use super::PlanError;
 use super::system::name_key;
 use crate::exact::snap;
 use crate::layout::{
-    self, SPREAD_BLOCKS, SPREAD_FLAT, SPREAD_LITERAL, SPREAD_MIDPOINT, SPREAD_NORMAL, SpreadEdge,
-    SpreadFace, SpreadFeature, SpreadFrame,
+    self, FLAME_LIGHTS, SPREAD_BLOCKS, SPREAD_CARRIES, SPREAD_FLAT, SPREAD_LITERAL,
+    SPREAD_MIDPOINT, SPREAD_NORMAL, SpreadEdge, SpreadFace, SpreadFeature, SpreadFrame,
 };
 use crate::mesh::surface::{HalfEdge, NO_EDGE, SurfaceFace};
 use crate::rng::pcg4d;
@@ -40,6 +40,8 @@ pub struct SpreadTables {
     /// Every ignition with its frame, in the order of frames, then of fires; `order` is that of its
     /// frame.
     pub ignitions: Vec<(u32, layout::Ignition)>,
+    /// Places far from each other on each spread's surface, in its fire's space.
+    light_places: Vec<Vec<[f32; 3]>>,
     /// Digest of the surface, how far edges are looked for, and the first face, of each spread.
     stored: Vec<(u64, f32, u32)>,
 }
@@ -131,11 +133,19 @@ impl SpreadTables {
         all.max().unwrap_or(0)
     }
 
+    /// Places far from each other on each spread's surface, in its fire's space.
+    pub(super) fn light_places(&self) -> impl Iterator<Item = &Vec<[f32; 3]>> {
+        self.light_places.iter()
+    }
+
     fn add(&mut self, spread: &FireSpread, reach: f32) -> Result<u32, PlanError> {
         let surface = &spread.surface;
         let first = self.faces.len() as u32;
         let stored = (surface.digest(), reach, first);
         self.stored.push(stored);
+        let places = surface.spaced_places(FLAME_LIGHTS as usize);
+        let places = places.into_iter().map(|place| place.map(|x| x as f32));
+        self.light_places.push(places.collect());
         if self.faces.len() + surface.faces().len() > MOST_FACES {
             return Err(PlanError {
                 message: format!(
@@ -227,6 +237,10 @@ pub(super) fn spread_frames(now: &Scene) -> Vec<SpreadFrame> {
             // No farther than a few points, since drivers end long loops; steps that long leave gaps.
             let reach = 4.0 * spread.separation + 2.0 * longest_step;
             let reach = reach.min(8.0 * spread.separation).clamp(1e-6, 1e6);
+            let (line_look, line_width) = spread.line.map_or(([0.0; 4], 0.0), |line| {
+                let [red, green, blue] = line.color;
+                ([red, green, blue, line.opacity], line.width)
+            });
             let rates = [opposed, concurrent, factor, 1.0 / spread.curvature_distance];
             SpreadFrame {
                 rates: rates.map(snap),
@@ -239,6 +253,8 @@ pub(super) fn spread_frames(now: &Scene) -> Vec<SpreadFrame> {
                 ]
                 .map(snap),
                 kinds: [at as u32, flags_of(spread), 0, 0],
+                line_look: line_look.map(snap),
+                line_shape: [snap(line_width), 0.0, 0.0, 0.0],
             }
         })
         .collect()
@@ -262,5 +278,9 @@ fn flags_of(spread: &FireSpread) -> u32 {
         true => SPREAD_BLOCKS,
         false => 0,
     };
-    heading | insertion | curvature | blocks
+    let carries = match spread.carries_rest {
+        true => SPREAD_CARRIES,
+        false => 0,
+    };
+    heading | insertion | curvature | blocks | carries
 }

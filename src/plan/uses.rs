@@ -102,6 +102,10 @@ uses! {
     cones "CONES";
     /// Covers that are drawn at the other side of the picture, too.
     mirrors "MIRRORS";
+    /// Marks of flames that have gone out.
+    marks "MARKS";
+    /// Fronts that are drawn as lines.
+    front_lines "FRONT_LINES";
 }
 
 fn has_matrix(fire: &FireFrame) -> bool {
@@ -158,6 +162,11 @@ impl Uses {
         let rows = inputs.rows.iter().map(Self::of_row);
         let systems = inputs.systems.iter().map(Self::of_system);
         let winds = inputs.winds.iter().map(Self::of_wind);
+        let marks = inputs.fires.iter().any(|fire| fire.char_look[3] > 0.0);
+        let front_lines = inputs
+            .spreads
+            .iter()
+            .any(|spread| spread.line_shape[0] > 0.0);
         let own = Self {
             planet: !inputs.planets.is_empty(),
             details: inputs.fires.iter().any(|fire| fire.details[0] > 0.0),
@@ -165,10 +174,12 @@ impl Uses {
             strips: inputs.fires.iter().any(is_strip),
             ground: !inputs.grounds.is_empty(),
             layers: !inputs.layer_planes.is_empty(),
-            covers: inputs.flocks.iter().any(is_drawn),
+            covers: inputs.flocks.iter().any(is_drawn) || marks || front_lines,
+            marks,
+            front_lines,
             triangles: inputs.flocks.iter().any(has_triangles),
             trails: inputs.flocks.iter().any(has_trails),
-            streaks: inputs.flocks.iter().any(has_trails),
+            streaks: inputs.flocks.iter().any(has_trails) || front_lines,
             cones: inputs.flocks.iter().any(has_cones),
             mirrors: inputs.flocks.iter().any(is_mirrored),
             torus: inputs.flocks.iter().any(is_torus),

@@ -42,6 +42,9 @@ pub const BUILTIN: &[BuiltinScene] = builtin![
     "bounce-constrain",
     "bounce-repel",
     "bounce-wrap",
+    "burning-cube",
+    "burning-house",
+    "burning-log",
     "candle",
     "candle-wind",
     "candles",
@@ -80,13 +83,20 @@ pub const BUILTIN: &[BuiltinScene] = builtin![
     "torch-moving",
     "two-flocks",
     "two-flocks-predators",
+    "wall-spread",
 ];
 
 /// Files that built-in scenes name, by their paths.
-pub const BUILTIN_FILES: &[(&str, &[u8])] = &[(
-    "meshes/torus-knot.obj",
-    include_bytes!("../../scenes/meshes/torus-knot.obj"),
-)];
+pub const BUILTIN_FILES: &[(&str, &[u8])] = &[
+    (
+        "meshes/house.obj",
+        include_bytes!("../../scenes/meshes/house.obj"),
+    ),
+    (
+        "meshes/torus-knot.obj",
+        include_bytes!("../../scenes/meshes/torus-knot.obj"),
+    ),
+];
 
 /// Names of a folder that are looked through for one like another, at most.
 const MOST_NAMES: usize = 10_000;

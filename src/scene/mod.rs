@@ -59,7 +59,9 @@ pub use picture::{
     Camera, Ground, Image, Lamp, Layer, Light, Pillar, Planet, Projection, ShutterWeighting,
 };
 pub(crate) use set::Set;
-pub use spread::{Curvature, FireSpread, FluxFormula, FrontHeading, Ignition, Insertion};
+pub use spread::{
+    Char, Curvature, FireSpread, FluxFormula, FrontHeading, FrontLine, Ignition, Insertion,
+};
 pub use system::{
     Blend, ChildUp, Integration, Intensity, ParticleShape, ParticleSpace, Shading, StreakLight,
     System,

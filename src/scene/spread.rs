@@ -37,8 +37,46 @@ pub struct FireSpread {
     pub insertion: Insertion,
     /// Whether control points stop where it has burnt. Default yes.
     pub prevents_double_burning: bool,
+    /// Whether what a point has come beyond d_d counts for the next flame. Default no.
+    pub carries_rest: bool,
+    /// Flames that burn at once at most, 1 ..= 60,000. Default 2,000.
+    pub max_flames: u32,
+    /// The marks that its flames leave, if they do.
+    pub char: Option<Char>,
+    /// The front as a line, if it is drawn.
+    pub line: Option<FrontLine>,
     /// Control points at most, 8 ..= 1,000,000. Default 20,000.
     pub max_points: u32,
+}
+
+/// Marks where flames have gone out (Perry 1994, 3.4.1 and 4.6).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Char {
+    /// How wide, world units, 0.000001 ..= 10,000; `None`: as a flame.
+    pub size: Option<f32>,
+    /// How much its middle hides, 0 ..= 1. Default 0.5.
+    pub opacity: f32,
+    /// Share of the radius that its edge takes, 0 ..= 1. Default 1.
+    pub edge_softness: f32,
+    /// Red, green, blue at first, each 0 ..= 1,000. Default a dark orange.
+    pub glow: [f32; 3],
+    /// Frames until it is black, 1 ..= 1,000,000. Default 60.
+    pub glow_frames: f32,
+    /// Frames until it is as opaque as it will be, 1 ..= 1,000,000. Default 6.
+    pub appear_frames: f32,
+    /// Marks at most, 1 ..= 200,000. Default 10,000.
+    pub max_marks: u32,
+}
+
+/// A front as a line (Perry 1994, 4.7).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FrontLine {
+    /// World units, 0 ..= 10,000.
+    pub width: f32,
+    /// Red, green, blue, each 0 ..= 1,000. Default orange.
+    pub color: [f32; 3],
+    /// 0 ..= 1. Default 1.
+    pub opacity: f32,
 }
 
 /// A place where a fire begins.

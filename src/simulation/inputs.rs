@@ -116,11 +116,18 @@ fn surfaces_fit(inputs: &FrameInputs) -> bool {
     let has_room = |fire: &FireFrame| {
         let [first, count, youngest, oldest] = fire.lights;
         u64::from(first) + u64::from(count) <= u64::from(FLAME_LIGHTS)
-            && count <= fire.members[1]
+            && (count <= fire.members[1] || fire.faces[2] == 1)
             && youngest <= oldest
             && oldest < FLAME_STEPS
     };
-    inputs.grounds.iter().all(is_right) && inputs.fires.iter().all(has_room)
+    let lights: usize = inputs
+        .fires
+        .iter()
+        .map(|fire| fire.lights[1] as usize)
+        .sum();
+    inputs.grounds.iter().all(is_right)
+        && inputs.fires.iter().all(has_room)
+        && inputs.light_roots.len() == lights
 }
 
 /// Whether fires have the plan's flames, and what they name is there.

@@ -9,11 +9,11 @@ use std::io::{self, Write};
 use super::{Simulation, SimulationError};
 use crate::backend::Living;
 use crate::cpu::digest;
-use crate::layout::{Boid, Particle, SpreadCounts, SpreadPoint};
+use crate::layout::{Boid, DroppedFlame, Particle, SpreadCounts, SpreadPoint};
 use crate::plan::{Plan, Stage};
 
 /// What the bytes of a snapshot begin with; the last is the version of what follows.
-const MAGIC: &[u8; 8] = b"motes-s\x03";
+const MAGIC: &[u8; 8] = b"motes-s\x04";
 
 /// Words between that and the particles: frame, number of systems, number of particles, number of
 /// boids, number of places of their trails, words of fronts.
@@ -27,6 +27,9 @@ const BOID_WORDS: usize = size_of::<Boid>() / 4;
 
 /// Words of a place of a trail.
 const PLACE_WORDS: usize = 4;
+/// Words of a dropped flame.
+const DROPPED_WORDS: usize = size_of::<DroppedFlame>() / 4;
+
 /// Words of a control point.
 const POINT_WORDS: usize = size_of::<SpreadPoint>() / 4;
 
@@ -95,8 +98,8 @@ impl Snapshot {
     }
 
     /// Writes the bytes that [`Snapshot::from_bytes`] reads, the same on every machine: 40, 32 for
-    /// each particle and each boid, 16 for each place of a boid's trail, and 64 for each control point
-    /// with 32 and 8 for each ring, if any fire spreads.
+    /// each particle and each boid, 16 for each place of a boid's trail, and if any fire spreads 64, 8 for
+    /// each ring, 64 for each control point and 48 for each place of a dropped flame.
     ///
     /// # Errors
     /// Those of the writer.
@@ -190,10 +193,13 @@ fn front_fits(plan: &Plan, front: &[u32]) -> bool {
         return false;
     };
     let rings = plan.ring_count as usize;
-    if rest.len() < 2 * rings {
+    let flames = plan.dropped_places as usize * DROPPED_WORDS;
+    if rest.len() < 2 * rings + flames {
         return false;
     }
-    let (spans, points) = rest.split_at(2 * rings);
+    let (spans, rest) = rest.split_at(2 * rings);
+    let (flames, points) = rest.split_at(flames);
+    let (flames, _) = flames.as_chunks::<DROPPED_WORDS>();
     let (points, odd) = points.as_chunks::<POINT_WORDS>();
     let [total, ..] = *counts;
     let (spans, _) = spans.as_chunks::<2>();
@@ -205,7 +211,9 @@ fn front_fits(plan: &Plan, front: &[u32]) -> bool {
             && slot < plan.spread_count
             && span.is_some_and(|[first, last]| (*first..=*last).contains(&at) && *last < total)
     };
+    let has_fire = |flame: &[u32; DROPPED_WORDS]| flame[3] < plan.fire_count;
     odd.is_empty()
+        && flames.iter().all(has_fire)
         && total as usize == points.len()
         && total <= plan.point_capacity
         && (0..).zip(points).all(is_in_place)
@@ -236,7 +244,12 @@ impl Simulation {
         }
         let others = words.len();
         if self.plan.spread_count > 0 {
-            for buffer in ["spread_counts", "ring_spans", "control_points"] {
+            for buffer in [
+                "spread_counts",
+                "ring_spans",
+                "dropped_flames",
+                "control_points",
+            ] {
                 words.extend(self.backend.read(buffer)?);
             }
         }

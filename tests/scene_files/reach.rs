@@ -5,10 +5,10 @@ use std::sync::Arc;
 use motes::mesh::{self, Surface};
 use motes::scene::{
     BirthMoment, BirthRounding, BirthUnit, Births, Blend, BoidShape, Burning, Burst, Camera,
-    Changing, ChildUp, Corners, Curvature, Dimensions, Edges, EjectionAxis, EjectionSpread,
+    Changing, Char, ChildUp, Corners, Curvature, Dimensions, Edges, EjectionAxis, EjectionSpread,
     Extinction, Fire, FireLights, FireSpread, FlameForm, Flock, FluxFormula, FrontHeading,
-    GenerationShape, Goal, Ground, Ignition, Image, Inherit, Insertion, Integration, Intensity,
-    Lamp, Layer, Light, LightFrom, ListedFlame, Obstacle, ObstacleShape, ParticleShape,
+    FrontLine, GenerationShape, Goal, Ground, Ignition, Image, Inherit, Insertion, Integration,
+    Intensity, Lamp, Layer, Light, LightFrom, ListedFlame, Obstacle, ObstacleShape, ParticleShape,
     ParticleSpace, Pillar, Planet, Profile, Projection, RampStop, Relation, RelationKind, Roots,
     Rule, Scene, Shading, ShutterWeighting, Side, Spread, StreakLight, System, Turbulence, Wind,
 };
@@ -483,6 +483,22 @@ fn fire_spread() -> FireSpread {
         heading: FrontHeading::Normal,
         insertion: Insertion::Midpoint,
         prevents_double_burning: false,
+        carries_rest: true,
+        max_flames: 300,
+        char: Some(Char {
+            size: Some(0.5),
+            opacity: 0.75,
+            edge_softness: 0.5,
+            glow: [2.0, 0.5, 0.25],
+            glow_frames: 40.0,
+            appear_frames: 3.0,
+            max_marks: 700,
+        }),
+        line: Some(FrontLine {
+            width: 0.03,
+            color: [0.5, 1.0, 0.25],
+            opacity: 0.625,
+        }),
         max_points: 5000,
     }
 }

@@ -323,7 +323,21 @@ curvature = "literal"
 heading = "normal"
 insertion = "midpoint"
 double_burning = "ignored"
+drop_counter = "carry"
+max_flames = 300
 max_points = 5000
+[fire.spread.char]
+size = 0.5
+opacity = 0.75
+edge_softness = 0.5
+glow = [2, 0.5, 0.25]
+glow_frames = 40
+appear_frames = 3
+max_marks = 700
+[fire.spread.line]
+width = 0.03
+color = [0.5, 1, 0.25]
+opacity = 0.625
 [[fire.spread.ignition]]
 position = [0, 0, 2]
 first_frame = 4
@@ -500,6 +514,8 @@ pub(crate) fn fields_of(section: &str) -> &'static [Field] {
                 "spread" => schema::SPREAD,
                 "ignition" => schema::IGNITION,
                 "formula" => schema::FORMULA,
+                "char" => schema::CHAR,
+                "line" => schema::LINE,
                 "burst" => schema::BURST,
                 "inherit" => schema::INHERIT,
                 "planet" => schema::PLANET,

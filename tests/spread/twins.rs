@@ -11,29 +11,29 @@ use crate::common::*;
 fn all_kinds(max_points: u32) -> Scene {
     let fires = [
         (
-            "position = { keys = [[0, [0, 0.5, 0]], [30, [0.6, 0.7, 0.2]]] }\n\
+            "lifetime = 9\ngrowth_frames = 4\nposition = { keys = [[0, [0, 0.5, 0]], [30, [0.6, 0.7, 0.2]]] }\n\
              rotation_degrees = { keys = [[0, [10, 0]], [30, [25, 80]]] }",
-            "mesh = \"cube\"\nscale = 0.5\ntime_scale = 0.3\nseparation = 0.05",
+            "mesh = \"cube\"\nscale = 0.5\ntime_scale = 0.3\nseparation = 0.05\ndrop_distance = 0.06\nmax_flames = 40\nchar = { max_marks = 50 }",
             "position = [0, 0, 0.5]\npoints = 8\n[[fire.spread.ignition]]\nposition = [0.5, 0.4, 0.1]\nfirst_frame = 7",
         ),
         (
-            "wind_factor = 3",
-            "mesh = \"torus\"\ntime_scale = 0.4\nheading = \"normal\"\nseparation = 0.1\ncurvature_distance = 0.03",
+            "wind_factor = 3\nlifetime = 4\nlights = 3",
+            "mesh = \"torus\"\ntime_scale = 0.4\nheading = \"normal\"\nseparation = 0.1\ndrop_distance = 0.05\ndrop_counter = \"carry\"\nmax_flames = 60\nchar = { size = 0.3, glow_frames = 3, edge_softness = 0.4, max_marks = 30 }\nline = { width = 0.02, opacity = 0.7 }\ncurvature_distance = 0.03",
             "position = [1, 0.1, 0]",
         ),
         (
             "rotation_degrees = [-90, 0]",
-            "mesh = \"plane\"\ntime_scale = { keys = [[0, 0.1], [20, 1]] }\ninsertion = \"midpoint\"\nseparation = 0.2",
+            "mesh = \"plane\"\ntime_scale = { keys = [[0, 0.1], [20, 1]] }\ninsertion = \"midpoint\"\nseparation = 0.2\ndrop_distance = 0.02\ndrop_counter = \"carry\"\nmax_flames = 90",
             "position = [0.1, 0.2, 0]\nfirst_frame = 2\npoints = 5",
         ),
         (
             "gravity = [0.2, -1, 0.1]",
-            "mesh = \"sphere\"\nscale = 0.3\ntime_scale = 3\nseparation = 0.08\ncurvature = \"ignored\"",
+            "mesh = \"sphere\"\nscale = 0.3\ntime_scale = 3\nseparation = 0.08\ncurvature = \"ignored\"\nmax_flames = 20",
             "position = [0, 1, 0]",
         ),
         (
             "",
-            "mesh = \"cylinder\"\nscale = 0.4\ntime_scale = 2\nseparation = 0.03\ncurvature = \"literal\"\ncurvature_distance = 2",
+            "mesh = \"cylinder\"\nscale = 0.4\ntime_scale = 2\nseparation = 0.03\ncurvature = \"literal\"\ncurvature_distance = 2\nmax_flames = 30",
             "position = [1, 0, 0.3]",
         ),
     ];
@@ -51,6 +51,9 @@ fn all_kinds(max_points: u32) -> Scene {
         "image = {{ width = 32, height = 24 }}
          camera = {{ position = [0, 0.6, 3], target = [0, 0.4, 0] }}
          {text}
+         [ground]
+         position = [0, -0.8, 0]
+         radius = 5
          [[wind]]
          kind = \"vortex\"
          position = [0.2, 0, 0]

@@ -18,6 +18,7 @@ const RECTANGLES: bool = #{RECTANGLES};
 const STREAKS: bool = #{STREAKS};
 const TRIANGLES: bool = #{TRIANGLES};
 const CONES: bool = #{CONES};
+const MARKS: bool = #{MARKS};
 // Whether any is mirrored.
 const MIRRORS: bool = #{MIRRORS};
 
@@ -65,7 +66,7 @@ fn cover(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let fours_across = tiling.tile_px / 4u;
     let x = i32((tile % tiling.across) * tiling.tile_px + (in_tile % fours_across) * 4u);
     let y = i32((tile / tiling.across) * tiling.tile_px + in_tile / fours_across);
-    let kinds = Kinds(RECTANGLES, STREAKS, TRIANGLES, MIRRORS, CONES);
+    let kinds = Kinds(RECTANGLES, STREAKS, TRIANGLES, MIRRORS, CONES, MARKS);
     let width = i32(frame.width);
     let light_from = frame.light_from.xyz;
     var a = begun(x, y);

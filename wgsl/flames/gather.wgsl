@@ -1,12 +1,12 @@
 // gather: the point lights that stand for flames, from the sums of what each flame gives.
 //
 // Perry 1994, 3.2.4: one invocation a light.
-// Reads: fires, flames, flame_sums. Writes: flame_lights.
+// Reads: fires, flames, flame_sums, light_roots. Writes: flame_lights.
 // Invariant: a light that no flame gives to is dark.
 
 #import motes::dispatch::linear_index
 #import motes::exact::{bits_of, f32_of_u32, reciprocal}
-#import motes::flame::light_seed
+#import motes::flame::{light_seed, tells_roots}
 #import motes::layout::{FLAME_LIGHTS, FireFrame, Flame, FlameLight}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
@@ -20,6 +20,7 @@ var<immediate> work: Work;
 @group(0) @binding(1) var<storage, read> flames: array<Flame>;
 @group(0) @binding(2) var<storage, read> flame_sums: array<u32>;
 @group(0) @binding(3) var<storage, read_write> flame_lights: array<FlameLight>;
+@group(0) @binding(4) var<storage, read> light_roots: array<vec4<f32>>;
 
 // A sum in whole weights: two limbs, in steps of 2^-30.
 fn weight_of(at: u32) -> f32 {
@@ -48,7 +49,10 @@ fn gather(@builtin(global_invocation_id) global_id: vec3<u32>) {
         return;
     }
     let fire = fires[slot];
-    let root = bitcast<vec3<f32>>(flames[light_seed(fire, at - fire.lights.x)].root_and_fire.xyz);
+    var root = light_roots[at].xyz;
+    if !tells_roots(fire) {
+        root = bitcast<vec3<f32>>(flames[light_seed(fire, at - fire.lights.x)].root_and_fire.xyz);
+    }
     let share = reciprocal(weight);
     let sums = vec3<f32>(weight_of(first + 2u), weight_of(first + 4u), weight_of(first + 6u));
     let place = root + (sums * share * 2.0f - 1.0f) * fire.light_scale.y;

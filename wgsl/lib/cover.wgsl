@@ -16,7 +16,7 @@
 }
 #import motes::reach::{center_of, overlap}
 #import motes::layout::{
-    COVER_CONE, COVER_MIRRORED, COVER_NONE, COVER_SEGMENT, COVER_SOFT_DISC, COVER_SQUARE, COVER_TRIANGLE, COVER_TWIN, Cover,
+    COVER_CONE, COVER_MIRRORED, COVER_NONE, COVER_SEGMENT, COVER_SLANTED, COVER_SOFT_DISC, COVER_SQUARE, COVER_TRIANGLE, COVER_TWIN, Cover,
 }
 
 // What shows less than this of itself is hidden.
@@ -42,6 +42,7 @@ struct Kinds {
     triangles: bool,
     mirrors: bool,
     cones: bool,
+    slants: bool,
 }
 
 // A pixel on the way from near to far: light that is seen, and how much of the rest shows through.
@@ -261,10 +262,17 @@ fn coverage_at(cover: Cover, kinds: Kinds, x: i32, y: i32) -> f32 {
     } else {
         let dx = center_x - points.x;
         let dy = center_y - points.y;
-        distance = square_root(dx * dx + dy * dy);
+        var squared = dx * dx + dy * dy;
+        if kinds.slants && kind == COVER_SLANTED {
+            // How much farther away its place in this pixel is than its middle.
+            let behind_px = points.z * dx + points.w * dy;
+            squared += behind_px * behind_px;
+        }
+        distance = square_root(squared);
     }
     let within = clamp_exact((shape.x - distance) * shape.y, 0.0f, 1.0f);
-    return select(within, within * within * (3.0f - 2.0f * within), kind == COVER_SOFT_DISC);
+    let is_soft = kind == COVER_SOFT_DISC || (kinds.slants && kind == COVER_SLANTED);
+    return select(within, within * within * (3.0f - 2.0f * within), is_soft);
 }
 
 // How straight the light falls on the ball that is seen in the pixel, 0 to 1.

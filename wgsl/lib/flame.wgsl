@@ -113,6 +113,11 @@ fn stepped(fire: FireFrame, from_here: Along, wind: vec3<f32>, height: f32, norm
     return Along(position, velocity);
 }
 
+// Whether the places are told that the point lights' are counted from.
+fn tells_roots(fire: FireFrame) -> bool {
+    return fire.faces.z == 1u;
+}
+
 // The flame whose root a point light's place is counted from: one of every so many.
 fn light_seed(fire: FireFrame, light: u32) -> u32 {
     return fire.members.x + (2u * light + 1u) * fire.members.y / (2u * fire.lights.y);

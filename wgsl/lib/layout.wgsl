@@ -132,6 +132,8 @@ struct Cover {
 const COVERS_SEEN: u32 = 0u;
 const COVERS_OF_PARTICLES: u32 = 1u;
 const COVERS_OF_BOIDS: u32 = 2u;
+const COVERS_OF_MARKS: u32 = 3u;
+const COVERS_OF_FRONTS: u32 = 4u;
 // Cover.shape.z: nothing, a disc, a disc with a smooth edge of its own width, a square along the
 // axes, a segment with round ends, a triangle, a cone with a round base.
 const COVER_NONE: u32 = 0u;
@@ -141,6 +143,7 @@ const COVER_SQUARE: u32 = 3u;
 const COVER_SEGMENT: u32 = 4u;
 const COVER_TRIANGLE: u32 = 5u;
 const COVER_CONE: u32 = 6u;
+const COVER_SLANTED: u32 = 7u;
 // Cover.lit.w: drawn where it is; at the other side of the picture, mirrored; at both sides at once,
 // which overlap.
 const COVER_PLAIN: u32 = 0u;
@@ -279,6 +282,12 @@ struct FrameStats {
     points_born: u32,
     points_died: u32,
     points_live: u32,
+    flames_requested: u32,
+    flames_born: u32,
+    flames_died: u32,
+    flames_live: u32,
+    marks_died: u32,
+    marks_live: u32,
 }
 
 // The arguments of one indirect dispatch.
@@ -575,6 +584,11 @@ struct FireFrame {
     // Of strips: half the noise cells across, cells a step along, contrast; how far noise changes the
     // matrix.
     strip: vec4<f32>,
+    // Colour with which char begins to glow; its opacity, 0 if none is left.
+    char_look: vec4<f32>,
+    // How wide it is, world units; how soft; the inverse of the frames that it glows, of those in which
+    // it appears.
+    char_shape: vec4<f32>,
     // What a weight of 1 throws on white a unit away; the square of a light's extent.
     light: vec4<f32>,
     // The inverse of the greatest weight; the reach of lights from their roots, half its inverse; the
@@ -657,10 +671,12 @@ const SPREAD_MIDPOINT: u32 = 2u;
 const SPREAD_LITERAL: u32 = 4u;
 const SPREAD_FLAT: u32 = 8u;
 const SPREAD_BLOCKS: u32 = 16u;
+const SPREAD_CARRIES: u32 = 32u;
 // Bits of gap_flags.
 const GAP_INSERTS: u32 = 1u;
 const GAP_MOVES: u32 = 2u;
 const GAP_CAME_TO_REST: u32 = 4u;
+const GAP_DROPS_SHIFT: u32 = 8u;
 
 // A control point of a front, 64 bytes. Points of a ring stand one after the other, counterclockwise,
 // what burns to their left.
@@ -724,6 +740,10 @@ struct SpreadFrame {
     distances: vec4<f32>,
     // Slot of its fire; SPREAD_....
     kinds: vec4<u32>,
+    // Colour and opacity of the front's line.
+    line_look: vec4<f32>,
+    // How wide it is, world units, 0 if there is none.
+    line_shape: vec4<f32>,
 }
 
 // A ring that is to begin.
@@ -746,4 +766,23 @@ struct SpreadCounts {
     before: u32,
     inserted: u32,
     ignited_from: u32,
+    flames_total: u32,
+    flames_first: u32,
+    flames_requested: u32,
+    flames_born: u32,
+    flames_died: u32,
+    flames_live: u32,
+    marks_first: u32,
+    marks_died: u32,
+}
+
+// A flame that a control point has dropped, in its fire's space. Flame k is in place k modulo how many
+// there may be.
+struct DroppedFlame {
+    // x, y, z as bits; slot of its fire.
+    root_and_fire: vec4<u32>,
+    // Outward unit normal of its face, as bits; the frame that it is dropped in.
+    normal_and_birth: vec4<u32>,
+    // Its key; its number; how many frames it burns, 0 for ever.
+    identity: vec4<u32>,
 }

@@ -12,7 +12,8 @@
 #import motes::footprint::LARGE_RADIUS_PX
 #import motes::reach::{PI, edged_radius}
 #import motes::layout::{
-    COVER_CONE, COVER_DISC, COVER_MIRRORED, COVER_NONE, COVER_SEGMENT, COVER_SOFT_DISC, COVER_SQUARE,
+    COVER_CONE, COVER_DISC, COVER_MIRRORED, COVER_NONE, COVER_SEGMENT, COVER_SLANTED, COVER_SOFT_DISC,
+    COVER_SQUARE,
     COVER_TRIANGLE, COVER_TWIN, Cover, Frame,
 }
 
@@ -68,6 +69,19 @@ fn disc_of(x: f32, y: f32, radius_px: f32, softness: f32, look: Look) -> Cover {
         vec4<f32>(x, y, reciprocal(edge), 0.0f),
         vec2<f32>(reach, reciprocal(1.0f + softness * (reach - 1.0f))),
         look.color.w * gain,
+        look,
+    );
+}
+
+// A soft disc that is seen at a slant: `slope` is how much farther away it is a pixel to the right and
+// down, in pixels.
+fn slanted_disc_of(x: f32, y: f32, radius_px: f32, softness: f32, slope: vec2<f32>, look: Look) -> Cover {
+    let reach = edged_radius(radius_px) + 0.5f;
+    return record(
+        COVER_SLANTED,
+        vec4<f32>(x, y, slope.x, slope.y),
+        vec2<f32>(reach, reciprocal(1.0f + softness * (reach - 1.0f))),
+        look.color.w,
         look,
     );
 }

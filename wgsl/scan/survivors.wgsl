@@ -47,5 +47,11 @@ fn survivors() {
         spread_counts.born,
         spread_counts.died,
         spread_counts.live,
+        spread_counts.flames_requested,
+        spread_counts.flames_born,
+        spread_counts.flames_died,
+        spread_counts.flames_live,
+        spread_counts.marks_died,
+        spread_counts.flames_total - spread_counts.marks_first - spread_counts.flames_live,
     );
 }

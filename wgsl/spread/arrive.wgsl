@@ -11,7 +11,7 @@
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 
-@group(0) @binding(0) var<storage, read> spread_counts: SpreadCounts;
+@group(0) @binding(0) var<uniform> spread_counts: SpreadCounts;
 @group(0) @binding(1) var<storage, read> spread_faces: array<SpreadFace>;
 @group(0) @binding(2) var<storage, read> control_points: array<SpreadPoint>;
 @group(0) @binding(3) var<storage, read> walkers: array<Walker>;

@@ -19,7 +19,7 @@ struct Work {
 var<immediate> work: Work;
 
 @group(0) @binding(0) var<storage, read> spreads: array<SpreadFrame>;
-@group(0) @binding(1) var<storage, read> spread_counts: SpreadCounts;
+@group(0) @binding(1) var<uniform> spread_counts: SpreadCounts;
 @group(0) @binding(2) var<storage, read> control_points: array<SpreadPoint>;
 @group(0) @binding(3) var<storage, read_write> crowd: array<atomic<u32>>;
 

@@ -11,9 +11,10 @@
 #import motes::dispatch::linear_index
 #import motes::exact::{bits_of, dot3, less, length3, reciprocal, square_root, at_least_zero}
 #import motes::layout::{
-    GAP_CAME_TO_REST, GAP_INSERTS, GAP_MOVES, NO_EDGE, POINT_ENDED, POINT_MOVES, SPREAD_MIDPOINT, SpreadCounts,
+    GAP_CAME_TO_REST, GAP_DROPS_SHIFT, GAP_INSERTS, GAP_MOVES, NO_EDGE, POINT_ENDED, POINT_MOVES, SPREAD_MIDPOINT, SpreadCounts,
     SpreadEdge, SpreadFace, SpreadFrame, SpreadPoint, Walker,
 }
+#import motes::drops::drops_of
 #import motes::walk::{
     dot2, exit_of, flattened, normalized2, position_on, raised, rotated, rotated_back,
 }
@@ -97,6 +98,9 @@ fn gaps(@builtin(global_invocation_id) global_id: vec3<u32>) {
         flags |= GAP_CAME_TO_REST;
     }
     let spread = spreads[here.position.w];
+    if control_points[at].course.w == POINT_MOVES {
+        flags |= drops_of(spread, bitcast<f32>(here.path.x)) << GAP_DROPS_SHIFT;
+    }
     var middle = vec2<f32>(0.0f);
     var heading = vec2<f32>(0.0f);
     let at_border = here.course.w == POINT_ENDED || there.course.w == POINT_ENDED;

@@ -17,7 +17,7 @@ const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 const IGNITED_TAG: u32 = 0x69676e69u;
 
 @group(0) @binding(0) var<uniform> frame: Frame;
-@group(0) @binding(1) var<storage, read> spread_counts: SpreadCounts;
+@group(0) @binding(1) var<uniform> spread_counts: SpreadCounts;
 @group(0) @binding(2) var<storage, read> spread_faces: array<SpreadFace>;
 @group(0) @binding(3) var<storage, read> due_ignitions: array<Ignition>;
 @group(0) @binding(4) var<storage, read_write> control_points: array<SpreadPoint>;

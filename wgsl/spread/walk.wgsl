@@ -17,7 +17,7 @@
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 
-@group(0) @binding(0) var<storage, read> spread_counts: SpreadCounts;
+@group(0) @binding(0) var<uniform> spread_counts: SpreadCounts;
 @group(0) @binding(1) var<storage, read> spread_edges: array<SpreadEdge>;
 @group(0) @binding(2) var<storage, read_write> walkers: array<Walker>;
 

@@ -5,9 +5,9 @@ use std::path::Path;
 use crate::cli::CliError;
 use crate::layout::FrameStats;
 use crate::output::{
-    BoidCounts, FlameCounts, LinearImage, Measured, ParticleCounts, Picture, Pixels, PointCounts,
-    Rgba8Image, StatsRow, SystemCounts, dump_path, write_boids, write_flames, write_particles,
-    write_points,
+    BoidCounts, FlameCounts, LinearImage, MarkCounts, Measured, ParticleCounts, Picture, Pixels,
+    PointCounts, Rgba8Image, StatsRow, SystemCounts, dump_path, write_boids, write_flames,
+    write_particles, write_points,
 };
 use crate::plan::Population;
 use crate::scene::Scene;
@@ -41,13 +41,19 @@ pub(super) fn rows_of(
         live: plan.boid_count.into(),
     };
     let [born, died, live] = plan.flames_at(line.frame.cast_signed()).map(u64::from);
-    let flames = FlameCounts { born, died, live };
+    let flames = FlameCounts {
+        requested: born + u64::from(line.flames_requested),
+        born: born + u64::from(line.flames_born),
+        died: died + u64::from(line.flames_died),
+        live: live + u64::from(line.flames_live),
+    };
     let points = PointCounts {
         requested: line.points_requested.into(),
         born: line.points_born.into(),
         died: line.points_died.into(),
         live: line.points_live.into(),
     };
+    let has_marks = plan.uses.marks;
     let populations: Vec<Population> = plan.populations().collect();
     let mut rows = Vec::new();
     let mut row = |population, measured, digest| {
@@ -75,6 +81,14 @@ pub(super) fn rows_of(
     for (name, metrics) in simulation.plan().flock_names().zip(metrics) {
         let born = if begins { metrics.count.into() } else { 0 };
         row(name, Measured::Flock { born, metrics }, None);
+    }
+    if has_marks {
+        let marks = MarkCounts {
+            born: line.flames_died.into(),
+            died: line.marks_died.into(),
+            live: line.marks_live.into(),
+        };
+        row("char", Measured::Marks(marks), None);
     }
     row("image", Measured::Image, Some(image_digest));
     Ok(rows)

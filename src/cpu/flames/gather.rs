@@ -3,9 +3,10 @@
 
 use glam::Vec3;
 
-use crate::cpu::flame::light_seed;
+use super::shine::root_of_light;
 use crate::exact::{bits_of, f32_of_u32, reciprocal};
 use crate::layout::{FireFrame, Flame, FlameLight};
+use crate::plan::FrameInputs;
 
 /// A sum in whole weights, of one in steps of 2^-30.
 fn weight_of(sum: u64) -> f32 {
@@ -15,16 +16,21 @@ fn weight_of(sum: u64) -> f32 {
 }
 
 /// The light at that place among all, from its weight and the sums of its x, y and z.
-pub fn gather(fires: &[FireFrame], flames: &[Flame], at: u32, sums: [u64; 4]) -> FlameLight {
+pub fn gather(inputs: &FrameInputs, flames: &[Flame], at: u32, sums: [u64; 4]) -> FlameLight {
     let is_own = |fire: &&FireFrame| {
         let [first, count, ..] = fire.lights;
         (first..first + count).contains(&at)
     };
     let weight = weight_of(sums[0]);
-    let Some(fire) = fires.iter().find(is_own).filter(|_| bits_of(weight) != 0) else {
+    let Some(fire) = inputs
+        .fires
+        .iter()
+        .find(is_own)
+        .filter(|_| bits_of(weight) != 0)
+    else {
         return FlameLight::default();
     };
-    let root = Vec3::from(flames[light_seed(fire, at - fire.lights[0]) as usize].root());
+    let root = root_of_light(inputs, fire, flames, at - fire.lights[0]);
     let share = reciprocal(weight);
     let sums = Vec3::new(weight_of(sums[1]), weight_of(sums[2]), weight_of(sums[3]));
     let place = root + (sums * share * 2.0 - 1.0) * fire.light_scale[1];

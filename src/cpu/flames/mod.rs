@@ -1,5 +1,6 @@
 //! The stages of flames.
 
+pub mod dropped;
 pub mod gather;
 pub mod kindle;
 pub mod shine;
@@ -16,6 +17,7 @@ use crate::cpu::draw::glow::glow;
 use crate::cpu::draw::strip_joints::strip_joints;
 use crate::cpu::draw::strips::strips;
 use crate::cpu::light::LightSums;
+use crate::cpu::spread::Spreads;
 use crate::layout::{FLAME_LIGHTS, FLAME_STEPS, Flame, FlameDisc, FlameLight, StripJoint};
 use crate::plan::{DetailPass, FrameInputs, MeshTables, Plan};
 
@@ -27,6 +29,8 @@ const STEPS: usize = FLAME_STEPS as usize;
 pub(super) struct Flames {
     meshes: Arc<MeshTables>,
     detail_passes: u32,
+    /// How many of them control points may have dropped: the last.
+    dropped_count: usize,
     /// In the order of fires and of indices.
     pub(super) flames: Vec<Flame>,
     /// The places of their particles.
@@ -52,6 +56,7 @@ impl Flames {
         Ok(Self {
             meshes: Arc::clone(&plan.meshes),
             detail_passes: plan.detail_passes,
+            dropped_count: plan.dropped_capacity as usize,
             flames: try_zeroed(flames, "flames")?,
             steps: try_zeroed(flames * STEPS, "steps of flames")?,
             discs: try_zeroed(flames * STEPS, "particles of flames")?,
@@ -77,6 +82,16 @@ impl Flames {
         }
     }
 
+    /// Those that control points have dropped stand behind all others.
+    pub(super) fn kindle_dropped(&mut self, inputs: &FrameInputs, spreads: &Spreads) {
+        let first = self.flames.len() - self.dropped_count;
+        let flames = self.flames[first..].par_iter_mut().with_min_len(256);
+        flames.enumerate().for_each(|(at, flame)| {
+            let own = spreads.burning(at as u32);
+            *flame = own.map_or_else(Flame::default, |own| dropped::dropped(inputs, own));
+        });
+    }
+
     pub(super) fn trace(&mut self, inputs: &FrameInputs) {
         self.steps
             .par_chunks_mut(STEPS)
@@ -93,8 +108,7 @@ impl Flames {
             .zip(flames)
             .with_min_len(64)
             .for_each(|(steps, flame)| {
-                let fire = &inputs.fires[flame.fire() as usize];
-                if let Some((light, given)) = shine::shine(fire, flame, steps, flames) {
+                if let Some((light, given)) = shine::shine(inputs, flame, steps, flames) {
                     let of_light = &sums[4 * light as usize..];
                     for (sum, steps) in of_light.iter().zip(given) {
                         sum.fetch_add(steps.into(), Ordering::Relaxed);
@@ -109,7 +123,7 @@ impl Flames {
         let (lights, _) = sums.as_chunks::<4>();
         self.lights = (0..)
             .zip(lights)
-            .map(|(at, sums)| gather::gather(&inputs.fires, flames, at, *sums))
+            .map(|(at, sums)| gather::gather(inputs, flames, at, *sums))
             .collect();
     }
 

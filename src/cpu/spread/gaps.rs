@@ -4,6 +4,7 @@
 use glam::{Vec2, Vec3};
 
 use super::walk::vec2;
+use crate::cpu::drops::drops_of;
 use crate::cpu::walk::{
     dot2, exit_of, flattened, normalized2, position_on, raised, rotated, rotated_back,
 };
@@ -11,8 +12,8 @@ use crate::exact::{
     at_least_zero, bits_of, length3, less, reciprocal, shared_constants, square_root,
 };
 use crate::layout::{
-    GAP_CAME_TO_REST, GAP_INSERTS, GAP_MOVES, NO_EDGE, POINT_ENDED, POINT_MOVES, SPREAD_MIDPOINT,
-    SpreadPoint, Walker,
+    GAP_CAME_TO_REST, GAP_DROPS_SHIFT, GAP_INSERTS, GAP_MOVES, NO_EDGE, POINT_ENDED, POINT_MOVES,
+    SPREAD_MIDPOINT, SpreadPoint, Walker,
 };
 use crate::plan::{FrameInputs, SpreadTables};
 
@@ -87,6 +88,9 @@ pub fn gaps(
         flags |= GAP_CAME_TO_REST;
     }
     let spread = &inputs.spreads[here.position[3] as usize];
+    if before[at as usize].moves() {
+        flags |= drops_of(spread, f32::from_bits(here.path[0])) << GAP_DROPS_SHIFT;
+    }
     let mut middle = Vec2::ZERO;
     let mut heading = Vec2::ZERO;
     let at_border = [here, there]

@@ -2,6 +2,7 @@
 
 pub mod arrive;
 pub mod block;
+pub mod drop;
 pub mod front;
 pub mod gaps;
 pub mod insert;
@@ -11,8 +12,12 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use crate::cpu::draw::{front_lines, marks};
+use crate::cpu::drops::rest_of;
+use crate::exact::bits_of;
 use crate::layout::{
-    GAP_CAME_TO_REST, GAP_INSERTS, GAP_MOVES, POINT_MOVES, SpreadCounts, SpreadPoint, Walker,
+    Cover, DroppedFlame, GAP_CAME_TO_REST, GAP_DROPS_SHIFT, GAP_INSERTS, GAP_MOVES, POINT_MOVES,
+    SpreadCounts, SpreadPoint, Walker,
 };
 use crate::plan::{FrameInputs, Plan, SpreadTables};
 
@@ -32,7 +37,12 @@ pub(super) struct Spreads {
     /// First and last point of each ring.
     pub(super) ring_spans: Vec<[u32; 2]>,
     pub(super) counts: SpreadCounts,
+    /// Flame k in place k modulo their number.
+    pub(super) dropped: Vec<DroppedFlame>,
     capacity: u32,
+    flame_room: u32,
+    has_marks: bool,
+    has_lines: bool,
 }
 
 impl Spreads {
@@ -44,6 +54,10 @@ impl Spreads {
             walkers: Vec::new(),
             ring_spans: vec![[0; 2]; plan.ring_count as usize],
             counts: SpreadCounts::default(),
+            dropped: vec![DroppedFlame::default(); plan.dropped_places as usize],
+            flame_room: plan.dropped_capacity,
+            has_marks: plan.uses.marks,
+            has_lines: plan.uses.front_lines,
             capacity: plan.point_capacity,
         }
     }
@@ -54,7 +68,10 @@ impl Spreads {
             return;
         }
         let (counts, rest) = front.split_at(size_of::<SpreadCounts>() / 4);
-        let (spans, points) = rest.split_at(2 * self.ring_spans.len());
+        let (spans, rest) = rest.split_at(2 * self.ring_spans.len());
+        let flames = self.dropped.len() * (size_of::<DroppedFlame>() / 4);
+        let (flames, points) = rest.split_at(flames);
+        bytemuck::cast_slice_mut(&mut self.dropped).copy_from_slice(flames);
         bytemuck::cast_slice_mut(std::slice::from_mut(&mut self.counts)).copy_from_slice(counts);
         bytemuck::cast_slice_mut(&mut self.ring_spans).copy_from_slice(spans);
         self.points = bytemuck::cast_slice(points).to_vec();
@@ -101,6 +118,78 @@ impl Spreads {
         self.arrive();
     }
 
+    /// The flame that is so far behind the first that burns, if it has been dropped.
+    pub(super) fn burning(&self, at: u32) -> Option<&DroppedFlame> {
+        let number = self.counts.flames_first + at;
+        (number < self.counts.flames_total).then(|| self.flame(number))
+    }
+
+    /// What covers: the places of dropped flames, and the fronts.
+    pub(super) fn shapes(&self, inputs: &FrameInputs, covers: &mut Vec<Cover>) -> [usize; 2] {
+        let before = covers.len();
+        if self.has_marks {
+            let numbers = self.counts.marks_first..self.counts.flames_total;
+            let marks = numbers.into_par_iter().with_min_len(GRAIN);
+            covers.par_extend(marks.map(|number| marks::marks(inputs, self.flame(number))));
+        }
+        let marks = covers.len() - before;
+        if self.has_lines {
+            let points = self.points.par_iter().with_min_len(GRAIN).enumerate();
+            covers.par_extend(points.map(|(at, point)| {
+                let [first, last] = self.span(point.ring()).map(|at| at as usize);
+                let next = &self.points[if at == last { first } else { at + 1 }];
+                front_lines::front_lines(inputs, &self.tables, point, next)
+            }));
+        }
+        [marks, covers.len() - before - marks]
+    }
+
+    fn flame(&self, number: u32) -> &DroppedFlame {
+        &self.dropped[number as usize % self.dropped.len()]
+    }
+
+    /// Flames go out, and points drop others; the books of that.
+    fn drop_flames(&mut self, inputs: &FrameInputs, gaps: &[(u32, Walker)]) -> SpreadCounts {
+        let age = |flame: &DroppedFlame| inputs.frame.frame.wrapping_sub(flame.normal_and_birth[3]);
+        let is_out = |flame: &DroppedFlame, since: u32| {
+            let [_, _, lifetime, _] = flame.identity;
+            lifetime > 0 && age(flame) >= lifetime + since
+        };
+        let total = self.counts.flames_total;
+        let flames = || (self.counts.flames_first..total).map(|number| self.flame(number));
+        let burning = flames().filter(|flame| !is_out(flame, 0)).count() as u32;
+        let died = flames().filter(|flame| is_out(flame, 0) && !is_out(flame, 1));
+        let died = died.count() as u32;
+        let out = flames().take_while(|flame| is_out(flame, 0)).count() as u32;
+        let first = self.counts.flames_first + out;
+        let requested = gaps.iter().map(|(flags, _)| flags >> GAP_DROPS_SHIFT).sum();
+        let born = self.flame_room - (total - first);
+        let born = born.min(requested);
+        let room = self.dropped.len() as u32;
+        let marks = (total + born).saturating_sub(room);
+        let marks = marks.max(self.counts.marks_first);
+        let (tables, mut number) = (Arc::clone(&self.tables), total);
+        for (point, (flags, _)) in self.moved.iter().zip(gaps) {
+            let drops = (flags >> GAP_DROPS_SHIFT).min(total + born - number);
+            for flame in drop::drop(inputs, &tables, point, number, drops) {
+                let at = number as usize % self.dropped.len();
+                self.dropped[at] = flame;
+                number += 1;
+            }
+        }
+        SpreadCounts {
+            flames_total: number,
+            flames_first: first,
+            flames_requested: requested,
+            flames_born: born,
+            flames_died: died,
+            flames_live: burning + born,
+            marks_first: marks,
+            marks_died: marks - self.counts.marks_first,
+            ..SpreadCounts::default()
+        }
+    }
+
     /// Points come between neighbours that are too far apart, and rings begin.
     pub(super) fn insert(&mut self, inputs: &FrameInputs) {
         let frame = inputs.frame.frame;
@@ -119,16 +208,25 @@ impl Spreads {
         let before = self.moved.len() as u32;
         let wanted = has(GAP_INSERTS);
         let inserted = wanted.min(self.capacity - before);
+        let flames = self.drop_flames(inputs, &gaps);
+        let counted = |at: usize| {
+            let mut point = self.moved[at];
+            let spread = &inputs.spreads[point.position[3] as usize];
+            let drops = gaps[at].0 >> GAP_DROPS_SHIFT;
+            point.path[0] = bits_of(rest_of(spread, f32::from_bits(point.path[0]), drops));
+            point
+        };
         self.points.clear();
         let mut left = inserted;
-        for (point, (flags, walker)) in self.moved.iter().zip(&gaps) {
-            self.points.push(*point);
+        for (at, (flags, walker)) in gaps.iter().enumerate() {
+            let point = counted(at);
+            self.points.push(point);
             if flags & GAP_INSERTS != 0 && left > 0 {
                 left -= 1;
-                let after = &self.moved[walker.left[2] as usize];
+                let after = counted(walker.left[2] as usize);
                 let faces = &tables.faces;
                 self.points
-                    .push(insert::insert(frame, walker, point, after, faces));
+                    .push(insert::insert(frame, walker, &point, &after, faces));
             }
         }
         let ignited_from = self.points.len() as u32;
@@ -158,6 +256,7 @@ impl Spreads {
             before,
             inserted,
             ignited_from,
+            ..flames
         };
     }
 }

@@ -75,6 +75,7 @@ pub(super) const SWITCHES: &[&str] = &[
     "TRIANGLES",
     "MIRRORS",
     "CONES",
+    "MARKS",
     "TRAILS",
     "VIEWS",
     "NEAREST",

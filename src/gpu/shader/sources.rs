@@ -61,6 +61,7 @@ pub static LIBRARIES: &[Source] = sources![
     "lib/sort",
     "lib/tile",
     "lib/walk",
+    "lib/drops",
 ];
 
 /// Kernels, in the order of the frame.
@@ -77,6 +78,8 @@ pub static KERNELS: &[Source] = sources![
     "spread/gaps",
     "spread/sum_gaps",
     "spread/book",
+    "spread/burning",
+    "spread/drop",
     "spread/insert",
     "spread/ignite",
     "systems/births",
@@ -99,6 +102,7 @@ pub static KERNELS: &[Source] = sources![
     "flock/cells",
     "flock/steer",
     "flames/kindle",
+    "flames/dropped",
     "flames/trace",
     "flames/shine",
     "flames/gather",
@@ -106,6 +110,8 @@ pub static KERNELS: &[Source] = sources![
     "draw/shapes",
     "draw/boid_shapes",
     "draw/boid_trails",
+    "draw/marks",
+    "draw/front_lines",
     "draw/cover_work",
     "draw/cover_keys",
     "sort/count_digits",

@@ -15,10 +15,13 @@ const MOST_IGNITED: u64 = 16_384;
 
 /// There are not too many flames, nor too many lights, nor points where fires begin.
 pub(in crate::scene) fn flames(fires: &[Fire], spot: &Spot<'_>) -> Result<(), SceneError> {
-    let total: u64 = fires.iter().map(|fire| u64::from(fire.count())).sum();
+    let dropped = |fire: &Fire| fire.spread.as_ref().map_or(0, |spread| spread.max_flames);
+    let of_fire = |fire: &Fire| u64::from(fire.count()) + u64::from(dropped(fire));
+    let total: u64 = fires.iter().map(of_fire).sum();
     if total > MOST_FLAMES {
         let what = format!("the fires have {total} flames in all, too many");
-        let help = format!("`count`s and listed flames that sum to at most {MOST_FLAMES}");
+        let help =
+            format!("`count`s, `max_flames` and listed flames that sum to at most {MOST_FLAMES}");
         return Err(spot.node.at.error(what, help));
     }
     let lights: u32 = fires.iter().map(|fire| fire.lights.count).sum();

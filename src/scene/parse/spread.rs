@@ -3,10 +3,11 @@
 use crate::scene::check;
 use crate::scene::files::Files;
 use crate::scene::read::{Reader, Spot};
-use crate::scene::schema::{FORMULA, IGNITION, SPREAD};
+use crate::scene::schema::{CHAR, FORMULA, IGNITION, LINE, SPREAD};
 use crate::scene::values::{Quantity, choice, list, whole32};
 use crate::scene::{
-    Curvature, FireSpread, FluxFormula, FrontHeading, Ignition, Insertion, SceneError,
+    Char, Curvature, FireSpread, FluxFormula, FrontHeading, FrontLine, Ignition, Insertion,
+    SceneError,
 };
 
 pub(super) fn spread(spot: &Spot<'_>, files: &Files) -> Result<FireSpread, SceneError> {
@@ -42,6 +43,10 @@ pub(super) fn spread(spot: &Spot<'_>, files: &Files) -> Result<FireSpread, Scene
         heading: [FrontHeading::Ray, FrontHeading::Normal][table.must("heading", choice)?],
         insertion: [Insertion::Arc, Insertion::Midpoint][table.must("insertion", choice)?],
         prevents_double_burning: table.must("double_burning", choice)? == 0,
+        carries_rest: table.must("drop_counter", choice)? == 1,
+        max_flames: table.must("max_flames", whole32)?,
+        char: table.may("char", char_of)?,
+        line: table.may("line", line)?,
         max_points: table.must("max_points", whole32)?,
         mesh,
         surface,
@@ -56,6 +61,28 @@ fn ignition(spot: &Spot<'_>) -> Result<Ignition, SceneError> {
         position: table.must("position", Quantity::read)?,
         first_frame: table.must("first_frame", whole32)?,
         points: table.must("points", whole32)?,
+    })
+}
+
+fn char_of(spot: &Spot<'_>) -> Result<Char, SceneError> {
+    let table = Reader::new(spot.path.clone(), CHAR, spot.node)?;
+    Ok(Char {
+        size: table.may("size", Quantity::read)?,
+        opacity: table.must("opacity", Quantity::read)?,
+        edge_softness: table.must("edge_softness", Quantity::read)?,
+        glow: table.must("glow", Quantity::read)?,
+        glow_frames: table.must("glow_frames", Quantity::read)?,
+        appear_frames: table.must("appear_frames", Quantity::read)?,
+        max_marks: table.must("max_marks", whole32)?,
+    })
+}
+
+fn line(spot: &Spot<'_>) -> Result<FrontLine, SceneError> {
+    let table = Reader::new(spot.path.clone(), LINE, spot.node)?;
+    Ok(FrontLine {
+        width: table.must("width", Quantity::read)?,
+        color: table.must("color", Quantity::read)?,
+        opacity: table.must("opacity", Quantity::read)?,
     })
 }
 

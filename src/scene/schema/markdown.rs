@@ -2,9 +2,10 @@
 
 use super::json::sentence;
 use super::{
-    BURST, CAMERA, EDGES, EXTINCTIONS, FIRE, FLAME, FLOCK, FORMULA, Field, GENERATION_SHAPES, GOAL,
-    GROUND, IGNITION, IMAGE, INHERIT, Kind, LAMP, LAYER, LIGHT, Limits, OBSTACLES, PILLAR, PLANET,
-    Presence, RAMP, REGION, RELATIONS, ROOTS, SCENE, SPREAD, SYSTEM, Variant, WINDS, parent_of,
+    BURST, CAMERA, CHAR, EDGES, EXTINCTIONS, FIRE, FLAME, FLOCK, FORMULA, Field, GENERATION_SHAPES,
+    GOAL, GROUND, IGNITION, IMAGE, INHERIT, Kind, LAMP, LAYER, LIGHT, LINE, Limits, OBSTACLES,
+    PILLAR, PLANET, Presence, RAMP, REGION, RELATIONS, ROOTS, SCENE, SPREAD, SYSTEM, Variant,
+    WINDS, parent_of,
 };
 use crate::scene::expect::{digits, range};
 
@@ -111,6 +112,11 @@ pub fn reference_page() -> String {
     page += &section("`[[fire.spread.ignition]]`", about, IGNITION);
     let about = "Where the heat comes from, in SI units, inside the `[fire.spread]` above it.";
     page += &section("`[fire.spread.formula]`", about, FORMULA);
+    let about = "Circular, fuzzy, translucent marks where flames that a front has dropped have gone out, inside \
+                 the `[fire.spread]` above it.";
+    page += &section("`[fire.spread.char]`", about, CHAR);
+    let about = "The front as a line from control point to control point, inside the `[fire.spread]` above it.";
+    page += &section("`[fire.spread.line]`", about, LINE);
     let about = "A part of the wind, which is the sum of all of them and moves the particles of \
                  systems and the boids of flocks with `drag`: a table by its kind.";
     page += &kinds("`[[wind]]`", about, WINDS, list("[[wind]]"));

@@ -20,7 +20,7 @@ pub use keys::{
 };
 pub use kinds::{EXTINCTIONS, GENERATION_SHAPES, WINDS};
 pub use markdown::reference_page;
-pub use spread::{FORMULA, IGNITION, SPREAD};
+pub use spread::{CHAR, FORMULA, IGNITION, LINE, SPREAD};
 
 /// One key of a table.
 #[derive(Clone, Copy, Debug)]

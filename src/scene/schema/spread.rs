@@ -21,6 +21,10 @@ pub const SPREAD: &[Field] = &[
     default("heading", Kind::Choice(&["ray", "normal"]), "\"ray\"", "", "whether control points keep their headings, or head along the front's normal", "Perry 3.3.2"),
     default("insertion", Kind::Choice(&["arc", "midpoint"]), "\"arc\"", "", "whether a point comes onto the arc that its neighbours' headings span, or halfway between them", "Perry 3.3.2"),
     default("double_burning", Kind::Choice(&["prevented", "ignored"]), "\"prevented\"", "", "whether control points stop where they meet what has burnt; on a plane with one ignition that never happens", "Perry 3.3.2"),
+    default("drop_counter", Kind::Choice(&["reset", "carry"]), "\"reset\"", "", "whether a point begins anew when it drops a flame, or what it has come beyond drop_distance counts for the next; it drops one in a frame at most", "Perry 3.4"),
+    default("max_flames", whole(1, 60_000), "2000", "flames", "most dropped flames that burn at once, each as long as the fire's lifetime says; what has no room is counted as dropped", "Perry 3.4"),
+    optional("char", Kind::Table(CHAR), "{}", "", "the marks that its flames leave where they have gone out; none if left out", "Perry 3.4.1"),
+    optional("line", Kind::Table(LINE), "{ width = 0.02 }", "", "the front as a line; none if left out", "Perry 4.7"),
     default("max_points", whole(8, 1_000_000), "20_000", "points", "most control points; what has no room is counted as dropped", ""),
 ];
 
@@ -42,6 +46,26 @@ pub const FORMULA: &[Field] = &[
     default("flame_length", numbers(1, 0.0, 1e3), "0.05", "metres", "h_f", "Perry 3.3.1"),
     default("flame_angle_degrees", numbers(1, 0.0, 180.0), "30", "degrees", "Theta_f, between the flame and the surface", "Perry 3.3.1"),
     required("thickness", numbers(1, 1e-6, 1e3), "0.002", "metres", "L, of the fuel", "Perry 3.3.1"),
+];
+
+/// Keys of `[fire.spread.char]`.
+#[rustfmt::skip] // one row a line
+pub const CHAR: &[Field] = &[
+    optional("size", numbers(1, 1e-6, 1e4), "0.25", "world units", "how wide a mark is; as a flame if left out", "Perry 3.4.1"),
+    default("opacity", numbers(1, 0.0, 1.0), "0.5", "", "how much it hides at its middle", "Perry 3.4.1"),
+    default("edge_softness", numbers(1, 0.0, 1.0), "1", "a share of the radius", "how soft its edge is", "Perry 3.4.1"),
+    default("glow", numbers(3, 0.0, 1e3), "[1, 0.2, 0.02]", "", "red, green and blue of the ember that it is at first", "Perry 4.6"),
+    default("glow_frames", numbers(1, 1.0, 1e6), "60", "frames", "how long it takes until it is black", "Perry 4.6"),
+    default("appear_frames", numbers(1, 1.0, 1e6), "6", "frames", "how long it takes until it is as opaque as it will be", ""),
+    default("max_marks", whole(1, 200_000), "10_000", "marks", "most marks of all fires, for each that leaves any; the oldest make room for new ones", ""),
+];
+
+/// Keys of `[fire.spread.line]`.
+#[rustfmt::skip] // one row a line
+pub const LINE: &[Field] = &[
+    required("width", numbers(1, 0.0, 1e4), "0.02", "world units", "how wide it is", "Perry 4.7"),
+    default("color", numbers(3, 0.0, 1e3), "[1, 0.5, 0.1]", "", "red, green and blue", ""),
+    default("opacity", numbers(1, 0.0, 1.0), "1", "", "how much it hides", ""),
 ];
 
 const DISTANCE: Kind = numbers(1, 1e-6, 1e4);

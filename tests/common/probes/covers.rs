@@ -2,7 +2,9 @@
 
 use glam::{Vec2, Vec3, Vec4};
 use motes::cpu::cover::{Layered, Spot, behind, bounds_of, coverage_at, far_to_near};
-use motes::cpu::shape::{Look, cone_of, disc_of, segment_of, square_of, triangle_of};
+use motes::cpu::shape::{
+    Look, cone_of, disc_of, segment_of, slanted_disc_of, square_of, triangle_of,
+};
 use motes::exact::f32_of_u32;
 use motes::layout::Cover;
 
@@ -10,8 +12,8 @@ use super::Arguments;
 
 pub(super) const COVER_IMPORTS: &str = "#import motes::layout::Cover
 #import motes::cover::{Kinds, Layered, Spot, behind, bounds_of, coverage_at, far_to_near}
-#import motes::shape::{Look, cone_of, disc_of, segment_of, square_of, triangle_of}
-const KINDS: Kinds = Kinds(true, true, true, true, true);
+#import motes::shape::{Look, cone_of, disc_of, segment_of, slanted_disc_of, square_of, triangle_of}
+const KINDS: Kinds = Kinds(true, true, true, true, true, true);
 // So many bits of a word, in quarters.
 fn quarters(word: u32, shift: u32, count: u32) -> f32 {
     return f32_of_u32((word >> shift) & ((1u << count) - 1u)) * 0.25f;
@@ -29,6 +31,7 @@ fn some(kind: u32, w: u32, i: u32) -> Cover {
         case 1u: { return disc_of(a.x, a.y, size, quarters(w, 18u, 3u) * 0.5f, look); }
         case 2u: { return square_of(a.x, a.y, size, look); }
         case 3u: { return segment_of(a, b, size * 0.3f, look); }
+        case 6u: { return slanted_disc_of(a.x, a.y, size, quarters(w, 18u, 3u) * 0.5f, b * 0.1f - 0.6f, look); }
         case 5u: { return cone_of(a, b, size, quarters(w, 12u, 3u) * 0.5f - 0.9f, look); }
         default: { return triangle_of(a, b, c, look); }
     }
@@ -92,6 +95,14 @@ fn some(r: &Arguments, kind: u32) -> Cover {
         1 => disc_of(a.x, a.y, size, quarters(w, 18, 3) * 0.5, &look),
         2 => square_of(a.x, a.y, size, &look),
         3 => segment_of(a, b, size * 0.3, &look),
+        6 => slanted_disc_of(
+            a.x,
+            a.y,
+            size,
+            quarters(w, 18, 3) * 0.5,
+            b * 0.1 - 0.6,
+            &look,
+        ),
         5 => cone_of(a, b, size, quarters(w, 12, 3) * 0.5 - 0.9, &look),
         _ => triangle_of(a, b, c, &look),
     }
