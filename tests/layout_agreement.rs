@@ -11,7 +11,7 @@ use motes::layout::{
     self, AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, FireFrame, Flame, FlameDisc,
     FlameLight, FlockFrame, Frame, FrameStats, Ground, Ignition, Lamp, ListedFlame, Node, Obstacle,
     Particle, Pillar, Planet, Pose, Relation, SpreadCounts, SpreadEdge, SpreadFace, SpreadFeature,
-    SpreadFrame, SpreadPoint, SystemFrame, SystemRow, Walker, Wind,
+    SpreadFrame, SpreadPoint, SurfaceFrame, SurfaceLight, SystemFrame, SystemRow, Walker, Wind,
 };
 use motes::plan::{BUFFERS, BufferRole, STAGES, Uses, buffer};
 
@@ -215,6 +215,25 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             place,
             extent,
             color,
+        }),
+        rust_layout!(SurfaceFrame {
+            world_from_mesh_x,
+            world_from_mesh_y,
+            world_from_mesh_z,
+            color,
+            faces,
+        }),
+        rust_layout!(SurfaceLight {
+            eye,
+            light_from,
+            light_color,
+            ambient,
+            lamps_from,
+            planet,
+            plane,
+            middle,
+            kinds,
+            counts,
         }),
         rust_layout!(FlameLight { place, color }),
         rust_layout!(Dispatch { x, y, z }),
@@ -420,6 +439,8 @@ fn constants_agree_bit_for_bit() {
         layout::ground::CONSTANTS,
         motes::cpu::draw::ground::CONSTANTS,
         motes::cpu::pillar::CONSTANTS,
+        motes::cpu::raster::CONSTANTS,
+        motes::cpu::draw::surface::CONSTANTS,
         motes::cpu::flame::CONSTANTS,
         layout::spread::CONSTANTS,
         motes::cpu::walk::CONSTANTS,

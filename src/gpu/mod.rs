@@ -38,7 +38,9 @@ use std::sync::Arc;
 
 use crate::backend::{Backend, BackendError, Living, StageRecord};
 use crate::layout::FrameStats;
-use crate::plan::{FrameInputs, MeshTables, Plan, Population, STAGES, SpreadTables, Stage};
+use crate::plan::{
+    FrameInputs, MeshTables, Plan, Population, STAGES, SpreadTables, Stage, SurfaceTables,
+};
 use commands::Command;
 use kernel::Kernel;
 use memory::Memory;
@@ -86,12 +88,14 @@ pub struct GpuBackend {
     point_capacity: u32,
     ring_count: u32,
     spreads: Arc<SpreadTables>,
+    surfaces: Arc<SurfaceTables>,
     cell_count: u32,
     width: u32,
     height: u32,
     has_covers: bool,
     has_planet: bool,
     has_ground: bool,
+    has_surfaces: bool,
     /// Which pool holds the particles.
     current: usize,
     /// Whether newborns stand behind the living: between emit and advance.
@@ -215,12 +219,14 @@ impl GpuBackend {
             point_capacity: plan.point_capacity,
             ring_count: plan.ring_count,
             spreads: Arc::clone(&plan.spreads),
+            surfaces: Arc::clone(&plan.surfaces),
             cell_count: plan.cell_count,
             width: plan.width,
             height: plan.height,
             has_covers: plan.uses.covers,
             has_planet: plan.uses.planet,
             has_ground: plan.uses.ground,
+            has_surfaces: plan.surface_count > 0,
             current: 0,
             newborns_present: false,
             points_moved: false,

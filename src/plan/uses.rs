@@ -74,6 +74,8 @@ uses! {
     planet "PLANET";
     /// A ground or pillars behind everything.
     ground "GROUND";
+    /// Meshes that are seen.
+    surfaces "SURFACES";
     /// Flames with details.
     details "DETAILS";
     /// Flocks whose opposite edges are the same.
@@ -150,6 +152,7 @@ impl Uses {
             planet: !inputs.planets.is_empty(),
             details: inputs.fires.iter().any(|fire| fire.details[0] > 0.0),
             ground: !inputs.grounds.is_empty(),
+            surfaces: !inputs.surfaces.is_empty(),
             layers: !inputs.layer_planes.is_empty(),
             covers: inputs.flocks.iter().any(is_drawn),
             triangles: inputs.flocks.iter().any(has_triangles),

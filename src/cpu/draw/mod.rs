@@ -10,3 +10,5 @@ pub mod planet;
 pub mod resolve;
 pub mod shapes;
 pub mod splat;
+pub mod surface;
+pub mod surface_raster;

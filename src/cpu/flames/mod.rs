@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use crate::backend::{BackendError, try_zeroed};
 use crate::cpu::draw::flame_discs::flame_discs;
-use crate::cpu::draw::glow::glow;
+use crate::cpu::draw::glow::{Onto, glow};
 use crate::cpu::light::LightSums;
 use crate::layout::{FLAME_LIGHTS, FLAME_STEPS, Flame, FlameDisc, FlameLight};
 use crate::plan::{DetailPass, FrameInputs, MeshTables, Plan};
@@ -117,18 +117,24 @@ impl Flames {
     }
 
     /// The light of all passes, of which that of no details is at hand.
-    pub(super) fn glow(&mut self, inputs: &FrameInputs, light: &LightSums) {
-        self.glow_of_pass(light);
+    pub(super) fn glow(&mut self, inputs: &FrameInputs, light: &LightSums, nearness: &[[u32; 4]]) {
+        let onto = Onto {
+            frame: &inputs.frame,
+            light,
+            nearness,
+        };
+        self.glow_of_pass(onto);
         for at in 0..self.detail_passes {
             self.discs(inputs, DetailPass::nth(at));
-            self.glow_of_pass(light);
+            self.glow_of_pass(onto);
         }
     }
 
-    fn glow_of_pass(&self, light: &LightSums) {
+    fn glow_of_pass(&self, onto: Onto<'_>) {
         let discs = self.discs.par_chunks(STEPS);
         discs
+            .zip(self.steps.par_chunks(STEPS))
             .zip(&self.bounds)
-            .for_each(|(discs, bounds)| glow(discs, *bounds, light));
+            .for_each(|((discs, steps), bounds)| glow(discs, steps, *bounds, onto));
     }
 }
