@@ -20,6 +20,8 @@ shared_constants! {
     const MOST_CORNERS: u32 = 8;
     /// Sides of a block of pixels that is looked at at once.
     pub const BLOCK_PX: i32 = 8;
+    /// A triangle that may touch more blocks is not left to one invocation of a device.
+    pub const BLOCKS_FOR_ONE: u32 = 16;
     /// An edge that is so far to one side of a block is on that side of all of it.
     const ASIDE: i32 = 536_870_912;
     /// 2 / 65,535.

@@ -97,11 +97,8 @@ pub enum Count {
     SurfacePixels(u32),
     /// Three for each stored triangle of the surfaces.
     SurfaceCorners,
-    /// One for each triangle of all surfaces, and so many more.
-    SurfaceFaces {
-        /// Records besides.
-        extra: u32,
-    },
+    /// Two for each triangle of all surfaces, and one more.
+    LargeFaces,
     /// One a pixel, in whole fours, if anything covers where there are surfaces.
     FrontPixels,
     /// So many a pixel, in whole fours, if anything covers.
@@ -271,13 +268,7 @@ pub static BUFFERS: &[Buffer] = {
             16,
             Count::SurfaceCorners,
         ),
-        buffer_of(
-            "large_faces",
-            Scratch,
-            "u32",
-            4,
-            Count::SurfaceFaces { extra: 1 },
-        ),
+        buffer_of("large_faces", Scratch, "u32", 4, Count::LargeFaces),
         buffer_of("surface_nearness", State, "u32", 4, Count::SurfacePixels(4)),
         buffer_of("surface_faces", State, "u32", 4, Count::SurfacePixels(4)),
         buffer_of(
@@ -607,7 +598,7 @@ impl Buffer {
                 (plan.width * plan.height).next_multiple_of(4)
             }
             Count::SurfaceCorners => plan.surfaces.corners.len() as u32,
-            Count::SurfaceFaces { extra } => plan.surface_face_count + extra,
+            Count::LargeFaces => 2 * plan.surface_face_count + 1,
             Count::PlanetPixels
             | Count::GroundPixels
             | Count::SurfacePixels(_)

@@ -1,17 +1,18 @@
 // surface_raster: which triangle is seen in every sample, and how near it is.
 //
 // Two passes: the greatest nearness of each sample, and then, of the triangles that have it there, the
-// last. One invocation a triangle; what may touch more than a block of pixels is listed in the first
-// pass, and drawn in passes of its own by many invocations, which take turns with its blocks.
+// last. One invocation a triangle; what may touch more than some blocks of pixels is listed in the
+// first pass, and drawn in passes of its own by many invocations, which take turns with its blocks.
 // Reads: frame, surfaces, surface_corners, large_faces. Writes, by atomics: surface_nearness,
-// surface_faces (the triangle's number among all, and 1), large_faces (their count, then they).
+// surface_faces (the triangle's number among all, and 1), large_faces (their count; then of each the
+// triangle and its blocks).
 // Invariant: neither the order of triangles nor how they are shared out is seen.
 
 #import motes::dispatch::linear_index
 #import motes::exact::{bits_of, f32_of_i32}
 #import motes::layout::{Frame, SurfaceFrame}
 #import motes::raster::{
-    BLOCK_PX, Edges, Nearness, Polygon, blocks_of, corner_seen, edges_of, misses, nearness_at,
+    BLOCKS_FOR_ONE, BLOCK_PX, Edges, Nearness, Polygon, blocks_of, corner_seen, edges_of, misses, nearness_at,
     nearness_of, polygon_of, samples_down, samples_in, samples_right, triangle_of,
 }
 
@@ -84,10 +85,12 @@ fn surface_raster(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let shares = max(work.shares, 1u);
     var face = index;
     if is_shared {
-        if index / shares >= atomicLoad(&large_faces[0]) {
+        let entry = 1u + 2u * (index / shares);
+        let is_listed = index / shares < atomicLoad(&large_faces[0]);
+        if !is_listed || index % shares >= atomicLoad(&large_faces[entry + 1u]) {
             return;
         }
-        face = atomicLoad(&large_faces[1u + index / shares]);
+        face = atomicLoad(&large_faces[entry]);
     }
     if face >= work.faces {
         return;
@@ -100,9 +103,11 @@ fn surface_raster(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let polygon = polygon_of(frame, a, b, c);
     let blocks = blocks_of(polygon);
     let count = u32(blocks.x * blocks.y);
-    if count > 1u && !is_shared {
+    if count > BLOCKS_FOR_ONE && !is_shared {
         if work.names == 0u {
-            atomicStore(&large_faces[1u + atomicAdd(&large_faces[0], 1u)], face);
+            let entry = 1u + 2u * atomicAdd(&large_faces[0], 1u);
+            atomicStore(&large_faces[entry], face);
+            atomicStore(&large_faces[entry + 1u], count);
         }
         return;
     }

@@ -24,6 +24,8 @@ const FARTHEST_SUBPIXEL: i32 = 4000000i;
 const MOST_CORNERS: u32 = 8u;
 // Sides of a block of pixels that is looked at at once.
 const BLOCK_PX: i32 = 8i;
+// A triangle that may touch more blocks is not left to one invocation.
+const BLOCKS_FOR_ONE: u32 = 16u;
 // An edge that is so far to one side of a block is on that side of all of it.
 const ASIDE: i32 = 536870912i;
 // 2 / 65,535.
