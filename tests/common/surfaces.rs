@@ -23,11 +23,11 @@ pub(crate) fn all_kinds_of_surfaces() -> Scene {
         // Through the eye, and far beyond the picture on all sides.
         (
             "plane",
-            "position = [0, -0.9, 2]\nrotation_degrees = [4, 30]\nscale = 40",
+            "position = [0, -0.9, 2]\nrotation_degrees = [-86, 30]\nscale = 40",
         ),
         (
             "cube",
-            "position = [0, 0.5, 2.9]\nscale = 3\nrotation_degrees = [40, 10]",
+            "position = [1.9, 0.5, 2.9]\nscale = 0.9\nrotation_degrees = [40, 10]",
         ),
         (
             "cylinder",
