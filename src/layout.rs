@@ -6,6 +6,7 @@ pub mod flock;
 pub mod ground;
 pub mod planet;
 pub mod spread;
+pub mod surface;
 pub mod tree;
 
 use bytemuck::{Pod, Zeroable};
@@ -17,6 +18,7 @@ pub use flock::*;
 pub use ground::*;
 pub use planet::*;
 pub use spread::*;
+pub use surface::*;
 pub use tree::*;
 
 /// Who a particle is and where it is: 32 bytes, in its system's space.

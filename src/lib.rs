@@ -50,17 +50,19 @@
 //!    of each flame's particle through this frame's wind, 25 steps; flames have no past.
 //!    *gather*, where there is a surface: a few point lights that stand for them. *ground*: a plane
 //!    behind everything, and pillars on it, in that light.
-//! 8. *shapes*: what covers what is behind it, one record a particle, a boid or a segment of its trail
+//! 8. *surface*: triangles, by four samples a pixel: how near the nearest is, then which it is, by
+//!    integer atomics; those that are seen, lit. What follows is hidden where it is behind them.
+//! 9. *shapes*: what covers what is behind it, one record a particle, a boid or a segment of its trail
 //!    ([`layout::Cover`]).
-//! 9. *cover*: the records are sorted by depth, stably, and each pixel gathers those that cover it,
-//!    from near to far; by tiles, in rounds, so that no tile has too many.
-//! 10. *planet*: a ball with a surface in every pixel, and on it what shows of the light of particles
+//! 10. *cover*: the records are sorted by depth, stably, and each pixel gathers those that cover it,
+//!     from near to far; by tiles, in rounds, so that no tile has too many.
+//! 11. *planet*: a ball with a surface in every pixel, and on it what shows of the light of particles
 //!     behind its outline.
-//! 11. *splat*: particles that glow add light to pixels, in 64-bit integers; all of them, or one
+//! 12. *splat*: particles that glow add light to pixels, in 64-bit integers; all of them, or one
 //!     layer's.
-//! 12. *flame_discs*: the particles along each flame as they are seen. *glow*: each pixel gathers
+//! 13. *flame_discs*: the particles along each flame as they are seen. *glow*: each pixel gathers
 //!     those of a flame and adds their sum to its light.
-//! 13. *resolve*: what covers, what shows of the background, and light on top of both become bytes.
+//! 14. *resolve*: what covers, what shows of the background, and light on top of both become bytes.
 //!
 //! Counts stay on the device; nothing comes back but a ring of statistics, and what is asked for.
 //!

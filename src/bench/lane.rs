@@ -156,6 +156,9 @@ impl Lane {
             .zip(high.chunks(3))
             .filter(|two| lit(*two))
             .count();
+        let samples = self.backend().read("surface_faces")?;
+        let is_seen = |pixel: &&[u32]| pixel.iter().any(|face| *face != 0);
+        let surface_pixels = samples.chunks(4).filter(is_seen).count() as u64;
         let (large, pages) = match &mut self.backend {
             Bound::Cpu(_) => (0, 1),
             Bound::Gpu(gpu) => (gpu.large_particles()?, gpu.page_count().into()),
@@ -187,6 +190,8 @@ impl Lane {
             boid_covers: count(COVERS_OF_BOIDS).saturating_sub(plan.trail_segments()),
             trail_segments: plan.trail_segments(),
             seen_covers: count(COVERS_SEEN),
+            faces: plan.surface_face_count.into(),
+            surface_pixels,
             uses: plan.uses,
         })
     }

@@ -247,7 +247,7 @@ const STRIP_JOINT: Fields = &[
     ("half-width", true),
     ("opacity", true),
     ("seen", false),
-    ("w", false),
+    ("depth", true),
 ];
 
 const FLAME_LIGHT: Fields = &[
@@ -268,6 +268,22 @@ const PLANET_PIXEL: Fields = &[
     ("clear", true),
 ];
 
+const SAMPLE_NEARNESS: Fields = &[
+    ("sample_0", true),
+    ("sample_1", true),
+    ("sample_2", true),
+    ("sample_3", true),
+];
+
+const SAMPLE_FACES: Fields = &[
+    ("sample_0", false),
+    ("sample_1", false),
+    ("sample_2", false),
+    ("sample_3", false),
+];
+
+const FRONT: Fields = &[("front", true)];
+
 const BLUE_CLEAR: Fields = &[("blue", true), ("clear", true)];
 
 const CHANNELS: Fields = &[("red", false), ("green", false), ("blue", false)];
@@ -281,7 +297,10 @@ fn fields(name: &str) -> Fields {
     };
     match (declared.record, declared.count) {
         ("Cover", _) => COVER,
-        _ if name == "planet_pixels" || name == "ground_pixels" => PLANET_PIXEL,
+        _ if ["planet_pixels", "ground_pixels", "surface_pixels"].contains(&name) => PLANET_PIXEL,
+        _ if name == "surface_nearness" => SAMPLE_NEARNESS,
+        _ if name == "surface_faces" => SAMPLE_FACES,
+        _ if name == "cover_front" => FRONT,
         ("FlameLight", _) => FLAME_LIGHT,
         _ if name == "cover_rg" => RED_GREEN,
         _ if name == "cover_bt" => BLUE_CLEAR,
@@ -319,7 +338,12 @@ pub(super) fn element(
     let is_picture = buffer(name).is_some_and(|declared| {
         matches!(
             declared.count,
-            Count::Pixels(_) | Count::CoveredPixels(_) | Count::PlanetPixels | Count::GroundPixels
+            Count::Pixels(_)
+                | Count::CoveredPixels(_)
+                | Count::PlanetPixels
+                | Count::GroundPixels
+                | Count::SurfacePixels(_)
+                | Count::FrontPixels
         )
     });
     let across = plan.width.max(1) as usize;

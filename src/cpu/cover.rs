@@ -15,7 +15,7 @@ use crate::layout::{
 
 shared_constants! {
     /// What shows less than this of itself is hidden.
-    const HIDDEN: f32 = 0.000_015_258_789;
+    pub(super) const HIDDEN: f32 = 0.000_015_258_789;
     /// A triangle that covers less of a pixel covers nothing of it.
     const LEAST_AREA: f32 = 0.000_244_140_63;
     /// Edges that run across a pixel's height by less than this count as upright there.
@@ -343,9 +343,9 @@ pub struct Spot {
 }
 
 /// How much of what is behind it hides in the pixel, 0 to 1, and how straight the light falls on it.
-struct Part {
-    alpha: f32,
-    light: f32,
+pub(super) struct Part {
+    pub(super) alpha: f32,
+    pub(super) light: f32,
 }
 
 #[inline]
@@ -363,7 +363,7 @@ fn part_here(cover: &Cover, light_from: Vec3, x: i32, y: i32) -> Part {
 
 /// The same wherever it is drawn. Two that overlap are the same whichever is in front.
 #[inline]
-fn part_at(cover: &Cover, light_from: Vec3, spot: Spot) -> Part {
+pub(super) fn part_at(cover: &Cover, light_from: Vec3, spot: Spot) -> Part {
     let across = spot.width - 1 - spot.x;
     let x = if cover.lit[3] == COVER_MIRRORED {
         across

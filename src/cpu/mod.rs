@@ -3,6 +3,7 @@
 //! Stages of float work are line-by-line twins of their WGSL kernels; births, compaction and
 //! digests are plain Rust, so that the two sides are not one translation.
 
+pub mod behind;
 pub mod boid;
 pub mod cover;
 pub mod detail;
@@ -22,6 +23,7 @@ pub mod particle;
 pub mod particles;
 pub mod pillar;
 pub mod projection;
+pub mod raster;
 pub mod reach;
 pub mod shape;
 pub mod spread;
@@ -31,6 +33,7 @@ pub mod strip;
 pub mod systems;
 pub mod tree;
 pub mod urge;
+pub mod veil;
 pub mod walk;
 pub mod wind;
 
@@ -40,7 +43,7 @@ use rayon::prelude::*;
 
 use crate::backend::{Backend, BackendError, Living, available_bytes, try_copied, try_zeroed};
 use crate::layout::{COVER_NONE, Counts, Cover, FrameStats, Particle, SystemRow};
-use crate::plan::{DetailPass, FrameInputs, MeshTables, Plan, Population, Stage};
+use crate::plan::{DetailPass, FrameInputs, MeshTables, Plan, Population, Stage, SurfaceTables};
 use flames::Flames;
 use flock::Flocks;
 use light::LightSums;
@@ -73,6 +76,13 @@ pub struct CpuBackend {
     planet_pixels: Vec<[u32; 4]>,
     /// Empty if there is no ground.
     ground_pixels: Vec<[u32; 4]>,
+    stored_surfaces: Arc<SurfaceTables>,
+    /// Empty if there are no surfaces, as the two below; four a pixel.
+    surface_nearness: Vec<u32>,
+    surface_faces: Vec<u32>,
+    surface_pixels: Vec<[u32; 4]>,
+    /// Empty unless something covers where there are surfaces.
+    cover_front: Vec<u32>,
     flocks: Flocks,
     flames: Flames,
     spreads: Spreads,
@@ -109,6 +119,7 @@ impl CpuBackend {
             })?;
         let rows = plan.system_count as usize * plan.row_count as usize;
         let pixels = plan.width as usize * plan.height as usize;
+        let surface_pixels = if plan.surface_count > 0 { pixels } else { 0 };
         let covered_pixels = if plan.uses.covers { pixels } else { 0 };
         Ok(Self {
             rows: try_zeroed(rows, "parameter rows")?,
@@ -124,6 +135,11 @@ impl CpuBackend {
             tree: Tree::new(plan),
             planet_pixels: try_zeroed(if plan.uses.planet { pixels } else { 0 }, "pixels")?,
             ground_pixels: try_zeroed(if plan.uses.ground { pixels } else { 0 }, "pixels")?,
+            stored_surfaces: Arc::clone(&plan.surfaces),
+            surface_nearness: try_zeroed(surface_pixels * 4, "samples")?,
+            surface_faces: try_zeroed(surface_pixels * 4, "samples")?,
+            surface_pixels: try_zeroed(surface_pixels, "pixels")?,
+            cover_front: try_zeroed(surface_pixels.min(covered_pixels), "covered pixels")?,
             flocks: Flocks::new(plan)?,
             flames: Flames::new(plan)?,
             spreads: Spreads::new(plan),
@@ -184,8 +200,15 @@ impl CpuBackend {
                 });
             }
             Stage::FlameDiscs => self.flames.discs(inputs, DetailPass::default()),
-            Stage::Glow => self.flames.glow(inputs, &self.light),
-            Stage::Strips => self.flames.strips(inputs, &self.light),
+            Stage::Surface => self.surface(inputs),
+            Stage::Glow => {
+                let (nearness, _) = self.surface_nearness.as_chunks::<4>();
+                self.flames.glow(inputs, &self.light, nearness);
+            }
+            Stage::Strips => {
+                let (nearness, _) = self.surface_nearness.as_chunks::<4>();
+                self.flames.strips(inputs, &self.light, nearness);
+            }
             Stage::Shapes if self.has_covers => {
                 let rows = &self.rows;
                 self.covers.clear();
@@ -204,8 +227,17 @@ impl CpuBackend {
                 self.families = [of_particles, of_boids, marks, fronts];
             }
             Stage::Cover if self.has_covers => {
-                let (rg, bt) = (&mut self.cover_rg, &mut self.cover_bt);
-                draw::cover::cover(&self.covers, &inputs.frame, rg, bt);
+                let (nearness, _) = self.surface_nearness.as_chunks::<4>();
+                let pixels = draw::cover::Pixels {
+                    rg: &mut self.cover_rg,
+                    bt: &mut self.cover_bt,
+                    front: &mut self.cover_front,
+                };
+                draw::cover::cover(&self.covers, &inputs.frame, nearness, pixels);
+                let fronts = self.surface_pixels.iter_mut().zip(&self.cover_front);
+                for (pixel, front) in fronts {
+                    *pixel = draw::cover::dim(*pixel, *front);
+                }
             }
             Stage::Shapes | Stage::Cover => {}
             Stage::Planet => {
@@ -228,6 +260,7 @@ impl CpuBackend {
                 let light = &self.light;
                 let (rg, bt) = (&self.cover_rg, &self.cover_bt);
                 let (ground, planet) = (&self.ground_pixels, &self.planet_pixels);
+                let surface = &self.surface_pixels;
                 self.image
                     .par_iter_mut()
                     .with_min_len(4096)
@@ -237,6 +270,7 @@ impl CpuBackend {
                         let behind = draw::resolve::Behind {
                             ground: ground.get(pixel).copied(),
                             planet: planet.get(pixel).copied(),
+                            surface: surface.get(pixel).copied(),
                             covers,
                         };
                         *out = draw::resolve::resolve(&inputs.frame, light, behind, pixel)
@@ -246,12 +280,38 @@ impl CpuBackend {
         Ok(())
     }
 
+    /// Draws the surfaces.
+    fn surface(&mut self, inputs: &FrameInputs) {
+        let corners = &self.stored_surfaces.corners;
+        [self.surface_nearness, self.surface_faces] =
+            draw::surface_raster::surface_raster(&inputs.frame, &inputs.surfaces, corners);
+        let flames = &self.flames.lights;
+        let lit = draw::surface::Lit {
+            inputs,
+            flames,
+            corners,
+        };
+        let (nearness, _) = self.surface_nearness.as_chunks_mut::<4>();
+        let (faces, _) = self.surface_faces.as_chunks_mut::<4>();
+        self.surface_pixels
+            .par_iter_mut()
+            .zip(nearness)
+            .zip(faces)
+            .with_min_len(1024)
+            .enumerate()
+            .for_each(|(pixel, ((out, nearness), faces))| {
+                *out = draw::surface::surface(lit, pixel as u32, nearness, faces);
+            });
+    }
+
     /// Adds the light of the particles on that side of a planet's outline.
     fn splat(&self, inputs: &FrameInputs, is_behind: bool) {
         let (rows, light) = (&self.rows, &self.light);
+        let (nearness, _) = self.surface_nearness.as_chunks::<4>();
+        let onto = draw::splat::Onto { light, nearness };
         self.particles.par_chunks(CHUNK / 8).for_each(|chunk| {
             for particle in chunk {
-                draw::splat::splat(particle, inputs, rows, light, is_behind);
+                draw::splat::splat(particle, inputs, rows, onto, is_behind);
             }
         });
     }
@@ -444,6 +504,10 @@ impl Backend for CpuBackend {
             "particles" => try_copied(bytemuck::cast_slice(&self.particles), "the particles")?,
             "planet_pixels" => bytemuck::cast_slice(&self.planet_pixels).to_vec(),
             "ground_pixels" => bytemuck::cast_slice(&self.ground_pixels).to_vec(),
+            "surface_nearness" => self.surface_nearness.clone(),
+            "surface_faces" => self.surface_faces.clone(),
+            "surface_pixels" => bytemuck::cast_slice(&self.surface_pixels).to_vec(),
+            "cover_front" => self.cover_front.clone(),
             "nodes" => bytemuck::cast_slice(&self.tree.nodes).to_vec(),
             "tree_counts" => bytemuck::cast_slice(&[self.tree.counts]).to_vec(),
             "borne_systems" => bytemuck::cast_slice(&self.tree.systems).to_vec(),

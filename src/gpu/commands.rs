@@ -91,6 +91,14 @@ enum Work {
     DetailShares,
     /// One for each point light that there may be, told how many fires there are.
     FlameLights,
+    /// One a pixel, if there are surfaces.
+    CoveredSurfaces,
+    /// One a triangle of all surfaces, told whether nearness is known (1).
+    SurfaceFaces(u32),
+    /// As many for each of those that are listed as share it, told the same.
+    SurfaceShares(u32),
+    /// One invocation, told how many share one.
+    OnceShared,
     /// One for every 64 cells of the flocks' grids.
     CellRuns,
     /// One invocation, told of the tiles.
@@ -366,6 +374,36 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
         work: Work::EachPixel,
     },
     KernelUse {
+        stage: Stage::Surface,
+        kernel: "draw/surface_raster",
+        work: Work::SurfaceFaces(0),
+    },
+    KernelUse {
+        stage: Stage::Surface,
+        kernel: "draw/surface_work",
+        work: Work::OnceShared,
+    },
+    KernelUse {
+        stage: Stage::Surface,
+        kernel: "draw/surface_raster",
+        work: Work::SurfaceShares(0),
+    },
+    KernelUse {
+        stage: Stage::Surface,
+        kernel: "draw/surface_raster",
+        work: Work::SurfaceFaces(1),
+    },
+    KernelUse {
+        stage: Stage::Surface,
+        kernel: "draw/surface_raster",
+        work: Work::SurfaceShares(1),
+    },
+    KernelUse {
+        stage: Stage::Surface,
+        kernel: "draw/surface",
+        work: Work::EachPixel,
+    },
+    KernelUse {
         stage: Stage::Shapes,
         kernel: "draw/shapes",
         work: Work::LivePages,
@@ -434,6 +472,11 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
         stage: Stage::Cover,
         kernel: "draw/cover",
         work: Work::Round(2),
+    },
+    KernelUse {
+        stage: Stage::Cover,
+        kernel: "draw/dim",
+        work: Work::CoveredSurfaces,
     },
     KernelUse {
         stage: Stage::Planet,
@@ -538,6 +581,17 @@ fn shares_of(plan: &Plan) -> u32 {
     let needed = runs.div_ceil(MOST_TURNS / TURNS_A_RUN);
     let wanted = if plan.flame_count > 1024 { 64 } else { 256 };
     needed.max(wanted).next_power_of_two()
+}
+
+/// Invocations that share a triangle of many pixels: so many that none turns its loops more often
+/// than drivers let it, even where the triangle is cut into six and each fills the picture.
+fn surface_shares_of(plan: &Plan) -> u32 {
+    const MOST_TURNS: u32 = 48_000;
+    // One for each of its pixels, of its rows, and its own.
+    const TURNS_A_BLOCK: u32 = 64 + 8 + 1;
+    let blocks = (plan.width.div_ceil(8) + 1) * (plan.height.div_ceil(8) + 1);
+    let needed = (6 * blocks).div_ceil(MOST_TURNS / TURNS_A_BLOCK);
+    needed.max(16).next_power_of_two()
 }
 
 /// Records that an invocation of the digest takes.
@@ -746,6 +800,25 @@ impl GpuBackend {
                 let size = direct(plan.flame_count * shares);
                 push(0, 0, &[plan.flame_count, shares], size)
             }
+            Work::SurfaceFaces(names) => {
+                let faces = plan.surface_face_count;
+                let told = [faces, plan.surface_count, names, 0];
+                push(0, 0, &told, direct(faces))
+            }
+            Work::OnceShared => {
+                let place = paging.spare_dispatch(2 + 3 * tiling.rounds);
+                push(0, 0, &[surface_shares_of(plan), place], Size::Direct(1, 1))
+            }
+            Work::SurfaceShares(names) => {
+                let place = paging.spare_dispatch(2 + 3 * tiling.rounds);
+                let told = [
+                    plan.surface_face_count,
+                    plan.surface_count,
+                    names,
+                    surface_shares_of(plan),
+                ];
+                push(0, 0, &told, Size::Indirect(place))
+            }
             Work::Listed(at) => push(0, 0, &[], Size::Indirect(at)),
             Work::OnceTiled => push(0, 0, &tiling.immediates(0), Size::Direct(1, 1)),
             Work::Covers => push(0, 0, &[], Size::Indirect(paging.spare_dispatch(1))),
@@ -787,7 +860,10 @@ impl GpuBackend {
                 let size = Size::Indirect(paging.splat_dispatch(page));
                 push(page as usize, 0, &[page, is_behind], size)
             }),
-            Work::EachPixel => push(0, 0, &[], direct(plan.width * plan.height)),
+            Work::CoveredSurfaces if plan.surface_count == 0 => Ok(()),
+            Work::EachPixel | Work::CoveredSurfaces => {
+                push(0, 0, &[], direct(plan.width * plan.height))
+            }
             Work::OncePages => (0..paging.page_count)
                 .try_for_each(|page| push(page as usize, 0, &[page], Size::Direct(1, 1))),
             Work::LargePages => (0..paging.page_count).try_for_each(|page| {

@@ -48,7 +48,8 @@ impl Paging {
         self.large_dispatch(self.page_count)
     }
 
-    /// The sort's runs, then its pairs, then three for each round of what covers.
+    /// The sort's runs, then its pairs, then three for each round of what covers, then that of large
+    /// triangles.
     pub(super) fn spare_dispatch(&self, place: u32) -> u32 {
         self.large_dispatch(self.page_count) + place
     }
@@ -125,7 +126,7 @@ impl Memory {
                 "tile_bits" if plan.uses.covers => tiling.tiles() * (tiling.slice / 32),
                 "tile_summaries" if plan.uses.covers => tiling.tiles() * (tiling.slice / 1024),
                 "digit_counts" => sort::counts(plan.cover_capacity()),
-                "dispatches" => paging.dispatches() + 2 + 3 * tiling.rounds,
+                "dispatches" => paging.dispatches() + 3 + 3 * tiling.rounds,
                 _ => 0,
             };
             // Kernels load the first record of some before they know whether there is any.
@@ -186,6 +187,7 @@ impl Memory {
     pub(super) fn begin(&self, stage: Stage, encoder: &mut wgpu::CommandEncoder) {
         let names: &[&str] = match stage {
             Stage::Lights => &["flame_sums"],
+            Stage::Surface => &["large_faces", "surface_nearness", "surface_faces"],
             Stage::Shapes => &["cover_counts"],
             Stage::Block => &["crowd"],
             Stage::Splat if self.has_planet => &[],
@@ -247,7 +249,9 @@ fn usage_of(name: &str) -> wgpu::BufferUsages {
     let role = crate::plan::buffer(name).map(|declared| declared.role);
     let kind = match (name, role) {
         ("frame", _) => Usage::UNIFORM | Usage::COPY_DST,
-        ("spread_counts", _) => Usage::UNIFORM | Usage::STORAGE | Usage::COPY_DST,
+        ("spread_counts" | "counts" | "surface_light", _) => {
+            Usage::UNIFORM | Usage::STORAGE | Usage::COPY_DST
+        }
         // Vertices, for callers who draw particles themselves.
         ("particles", _) => Usage::STORAGE | Usage::VERTEX | Usage::COPY_DST,
         ("dispatches", _) => Usage::STORAGE | Usage::INDIRECT | Usage::COPY_DST,

@@ -38,7 +38,9 @@ use std::sync::Arc;
 
 use crate::backend::{Backend, BackendError, Living, StageRecord};
 use crate::layout::FrameStats;
-use crate::plan::{FrameInputs, MeshTables, Plan, Population, STAGES, SpreadTables, Stage};
+use crate::plan::{
+    FrameInputs, MeshTables, Plan, Population, STAGES, SpreadTables, Stage, SurfaceTables,
+};
 use commands::Command;
 use kernel::Kernel;
 use memory::Memory;
@@ -87,6 +89,7 @@ pub struct GpuBackend {
     dropped_places: u32,
     ring_count: u32,
     spreads: Arc<SpreadTables>,
+    surfaces: Arc<SurfaceTables>,
     cell_count: u32,
     width: u32,
     height: u32,
@@ -95,6 +98,7 @@ pub struct GpuBackend {
     has_ground: bool,
     has_skews: bool,
     has_strips: bool,
+    has_surfaces: bool,
     /// Which pool holds the particles.
     current: usize,
     /// Whether newborns stand behind the living: between emit and advance.
@@ -219,6 +223,7 @@ impl GpuBackend {
             dropped_places: plan.dropped_places,
             ring_count: plan.ring_count,
             spreads: Arc::clone(&plan.spreads),
+            surfaces: Arc::clone(&plan.surfaces),
             cell_count: plan.cell_count,
             width: plan.width,
             height: plan.height,
@@ -227,6 +232,7 @@ impl GpuBackend {
             has_ground: plan.uses.ground,
             has_skews: plan.uses.skews,
             has_strips: plan.uses.strips,
+            has_surfaces: plan.surface_count > 0,
             current: 0,
             newborns_present: false,
             points_moved: false,

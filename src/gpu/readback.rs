@@ -119,7 +119,12 @@ impl GpuBackend {
             "cover_rg" | "cover_bt" => 0,
             "planet_pixels" if self.has_planet => pixels * 4,
             "ground_pixels" if self.has_ground => pixels * 4,
-            "planet_pixels" | "ground_pixels" => 0,
+            "surface_nearness" | "surface_faces" | "surface_pixels" if self.has_surfaces => {
+                pixels * 4
+            }
+            "cover_front" if self.has_surfaces && self.has_covers => pixels,
+            "planet_pixels" | "ground_pixels" | "surface_nearness" | "surface_faces"
+            | "surface_pixels" | "cover_front" => 0,
             "light_low" | "light_high" => pixels * 3,
             _ => whole.size() / 4,
         };

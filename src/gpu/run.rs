@@ -17,6 +17,10 @@ impl GpuBackend {
             ("curve_points", bytemuck::cast_slice(&self.curve_points)),
             ("mesh_faces", bytemuck::cast_slice(&self.meshes.faces)),
             ("mesh_choices", bytemuck::cast_slice(&self.meshes.choices)),
+            (
+                "surface_corners",
+                bytemuck::cast_slice(&self.surfaces.corners),
+            ),
             ("spread_faces", bytemuck::cast_slice(&self.spreads.faces)),
             ("spread_edges", bytemuck::cast_slice(&self.spreads.edges)),
             (
@@ -41,6 +45,11 @@ impl GpuBackend {
             ("planets", bytemuck::cast_slice(&inputs.planets)),
             ("lamps", bytemuck::cast_slice(&inputs.lamps)),
             ("grounds", bytemuck::cast_slice(&inputs.grounds)),
+            ("surfaces", bytemuck::cast_slice(&inputs.surfaces)),
+            (
+                "surface_light",
+                bytemuck::cast_slice(&inputs.surface_lights),
+            ),
             ("pillars", bytemuck::cast_slice(&inputs.pillars)),
             ("poses", bytemuck::cast_slice(&inputs.poses)),
             ("broods", bytemuck::cast_slice(&inputs.broods)),

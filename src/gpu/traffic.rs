@@ -52,6 +52,10 @@ pub struct Load {
     pub trail_segments: u64,
     /// Those of them that are in sight.
     pub seen_covers: u64,
+    /// Triangles of surfaces.
+    pub faces: u64,
+    /// Pixels with some triangle in them.
+    pub surface_pixels: u64,
     /// What the plan makes use of.
     pub uses: Uses,
 }
@@ -291,6 +295,17 @@ static TABLE: &[Line] = &[
         (lights, lights * (8 * WORD + size_of::<FlameLight>() as u64))
     }),
     ("draw/ground", |load| (load.pixels, load.pixels * 4 * WORD)),
+    ("draw/surface_raster", |load| {
+        // Places of corners, and where triangles are seen, a sample's nearness and its name, once.
+        let samples = load.surface_pixels * 4 * 2 * WORD;
+        (load.faces, load.faces * 3 * 4 * WORD + samples)
+    }),
+    ("draw/surface_work", |_| {
+        (1, WORD + size_of::<Dispatch>() as u64)
+    }),
+    ("draw/surface", |load| {
+        (load.pixels, load.pixels * 12 * WORD)
+    }),
     ("draw/shapes", |load| {
         (load.live, load.live * (PARTICLE + COVER))
     }),
@@ -342,6 +357,10 @@ static TABLE: &[Line] = &[
     ("draw/cover", |load| {
         let records = load.seen_covers * COVER + load.tile_words() * WORD;
         (load.pixels, load.covered() + records)
+    }),
+    ("draw/dim", |load| {
+        let is_there = u64::from(load.uses.surfaces);
+        (load.pixels * is_there, load.pixels * is_there * 9 * WORD)
     }),
     ("draw/planet", |load| (load.pixels, load.pixels * 4 * WORD)),
     ("draw/clear_light", |load| {

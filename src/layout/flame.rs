@@ -196,6 +196,6 @@ pub struct FlameDisc {
 pub struct StripJoint {
     /// Place in pixels, the unit vector along the flame.
     pub place: [u32; 4],
-    /// Half-width in pixels, factor of the opacity, 1 if it is seen; w unused.
+    /// Half-width in pixels, factor of the opacity, 1 if it is seen, depth.
     pub extent: [u32; 4],
 }

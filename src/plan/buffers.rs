@@ -5,8 +5,8 @@ use crate::layout::{
     AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, DroppedFlame, FLAME_LIGHTS, FLAME_STEPS,
     FireFrame, Flame, FlameDisc, FlameLight, FlockFrame, Frame, FrameStats, Ground, Ignition, Lamp,
     ListedFlame, Node, Obstacle, Particle, Pillar, Planet, Pose, Relation, SpreadCounts,
-    SpreadEdge, SpreadFace, SpreadFeature, SpreadFrame, SpreadPoint, StripJoint, SystemFrame,
-    SystemRow, Walker, Wind,
+    SpreadEdge, SpreadFace, SpreadFeature, SpreadFrame, SpreadPoint, StripJoint, SurfaceFrame,
+    SurfaceLight, SystemFrame, SystemRow, Walker, Wind,
 };
 
 /// What a buffer is for.
@@ -101,6 +101,14 @@ pub enum Count {
     PlanetPixels,
     /// One a pixel, in whole fours, if there is a ground.
     GroundPixels,
+    /// So many a pixel, in whole fours, if there are surfaces.
+    SurfacePixels(u32),
+    /// Three for each stored triangle of the surfaces.
+    SurfaceCorners,
+    /// Two for each triangle of all surfaces, and one more.
+    LargeFaces,
+    /// One a pixel, in whole fours, if anything covers where there are surfaces.
+    FrontPixels,
     /// So many a pixel, in whole fours, if anything covers.
     CoveredPixels(u32),
     /// A list of the backend's.
@@ -247,6 +255,37 @@ pub static BUFFERS: &[Buffer] = {
             Count::Fixed(Plan::MOST_PILLARS),
         ),
         buffer_of("ground_pixels", State, "vec4<u32>", 16, Count::GroundPixels),
+        buffer_of(
+            "surfaces",
+            Input,
+            "SurfaceFrame",
+            size_of::<SurfaceFrame>(),
+            Count::Fixed(Plan::MOST_SURFACES),
+        ),
+        buffer_of(
+            "surface_light",
+            Input,
+            "SurfaceLight",
+            size_of::<SurfaceLight>(),
+            Count::Fixed(1),
+        ),
+        buffer_of(
+            "surface_corners",
+            Input,
+            "vec4<u32>",
+            16,
+            Count::SurfaceCorners,
+        ),
+        buffer_of("large_faces", Scratch, "u32", 4, Count::LargeFaces),
+        buffer_of("surface_nearness", State, "u32", 4, Count::SurfacePixels(4)),
+        buffer_of("surface_faces", State, "u32", 4, Count::SurfacePixels(4)),
+        buffer_of(
+            "surface_pixels",
+            State,
+            "vec4<u32>",
+            16,
+            Count::SurfacePixels(1),
+        ),
         buffer_of("curve_points", Input, "vec4<f32>", 16, Count::CurvePoints),
         buffer_of("mesh_faces", Input, "vec4<f32>", 16, Count::MeshFaces(3)),
         buffer_of("mesh_choices", Input, "vec2<u32>", 8, Count::MeshFaces(1)),
@@ -530,6 +569,7 @@ pub static BUFFERS: &[Buffer] = {
         buffer_of("tile_summaries", Scratch, "u32", 4, Count::Backend),
         buffer_of("cover_rg", State, "vec2<u32>", 8, Count::CoveredPixels(1)),
         buffer_of("cover_bt", State, "vec2<u32>", 8, Count::CoveredPixels(1)),
+        buffer_of("cover_front", State, "u32", 4, Count::FrontPixels),
         buffer_of("sort_count", Scratch, "u32", 4, Count::Fixed(4)),
         buffer_of("sort_pairs", Scratch, "vec2<u32>", 8, Count::Covers),
         buffer_of("sorted_pairs", Scratch, "vec2<u32>", 8, Count::Covers),
@@ -594,7 +634,18 @@ impl Buffer {
             Count::GroundPixels if plan.uses.ground => {
                 (plan.width * plan.height).next_multiple_of(4)
             }
-            Count::PlanetPixels | Count::GroundPixels => 0,
+            Count::SurfacePixels(each) if plan.surface_count > 0 => {
+                (plan.width * plan.height).next_multiple_of(4) * each
+            }
+            Count::FrontPixels if plan.surface_count > 0 && plan.uses.covers => {
+                (plan.width * plan.height).next_multiple_of(4)
+            }
+            Count::SurfaceCorners => plan.surfaces.corners.len() as u32,
+            Count::LargeFaces => 2 * plan.surface_face_count + 1,
+            Count::PlanetPixels
+            | Count::GroundPixels
+            | Count::SurfacePixels(_)
+            | Count::FrontPixels => 0,
             Count::Pixels(each) => (plan.width * plan.height).next_multiple_of(4) * each,
             Count::Backend => return None,
         })

@@ -8,13 +8,14 @@ use super::ground::{ground_of, has_ground};
 use super::lights::light_roots;
 use super::planet::{lamps_of, outline_of, planet_of};
 use super::spread::spread_frames;
+use super::surface::surfaces_of;
 use super::system::{Moments, bounds_of, system_frame, system_row};
 use super::tree::{bears_systems, broods, pose_of, row_spread};
 use super::wind::winds_of;
 use crate::layout::{
     AgeLook, Bound, Brood, FireFrame, FlockFrame, Frame, Ground, Ignition, Lamp, ListedFlame,
-    Obstacle, Pillar, Planet, Pose, Relation, SYSTEM_BEARS_SYSTEMS, SpreadFrame, SystemFrame,
-    SystemRow, Wind,
+    Obstacle, Pillar, Planet, Pose, Relation, SYSTEM_BEARS_SYSTEMS, SpreadFrame, SurfaceFrame,
+    SurfaceLight, SystemFrame, SystemRow, Wind,
 };
 use crate::scene::Scene;
 
@@ -48,6 +49,10 @@ pub struct FrameInputs {
     pub grounds: Vec<Ground>,
     /// Cylinders before it, at most [`Plan::MOST_PILLARS`].
     pub pillars: Vec<Pillar>,
+    /// Meshes that are seen, at most [`Plan::MOST_SURFACES`].
+    pub surfaces: Vec<SurfaceFrame>,
+    /// What falls on them, if there are any.
+    pub surface_lights: Vec<SurfaceLight>,
     /// One a flock.
     pub flocks: Vec<FlockFrame>,
     /// What flocks make of each other, flock by flock.
@@ -116,7 +121,7 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
     let layer_planes = layer_planes(&now);
     let (flocks, relations, obstacles) = flocks_of(&now, &earlier);
     let planets = planet_of(&now);
-    let lamps = if planets.is_empty() && !has_ground(&now) {
+    let lamps = if planets.is_empty() && !has_ground(&now) && now.surfaces.is_empty() {
         Vec::new()
     } else {
         lamps_of(&now).0
@@ -125,6 +130,8 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
     let light_roots = light_roots(&now, &fires, &plan.spreads);
     let flame_lights = fires.iter().map(|fire| fire.lights[1]).sum();
     let (grounds, pillars) = ground_of(&now, flame_lights);
+    let (surfaces, surface_lights) =
+        surfaces_of(&now, &plan.surfaces, (&planets, &grounds), flame_lights);
     let frame = Frame {
         frame: number.cast_unsigned(),
         wind_count: winds.len() as u32,
@@ -148,6 +155,8 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
         lamps,
         grounds,
         pillars,
+        surfaces,
+        surface_lights,
         flocks,
         relations,
         obstacles,

@@ -28,7 +28,7 @@ impl MeshTables {
     /// The tables of all meshes in the scenes.
     pub(super) fn new(scenes: &[&Scene]) -> Result<Self, PlanError> {
         let mut tables = Self::default();
-        for mesh in scenes.iter().flat_map(|scene| scene.meshes()) {
+        for mesh in scenes.iter().flat_map(|scene| scene.meshes_of_roots()) {
             if tables.place_of(mesh).is_none() {
                 tables.add(mesh)?;
             }

@@ -19,6 +19,7 @@ mod planet;
 mod population;
 mod spread;
 mod stages;
+mod surface;
 mod system;
 mod tree;
 mod turned;
@@ -33,6 +34,7 @@ pub use meshes::MeshTables;
 pub use population::Population;
 pub use spread::SpreadTables;
 pub use stages::{STAGES, Stage, StageInfo};
+pub use surface::SurfaceTables;
 pub use uses::Uses;
 
 use std::sync::Arc;
@@ -130,6 +132,12 @@ pub struct Plan {
     pub blocks: bool,
     /// Control points at most, of all fires together.
     pub point_capacity: u32,
+    /// Triangles of the meshes that are seen.
+    pub surfaces: Arc<SurfaceTables>,
+    /// Meshes that are seen.
+    pub surface_count: u32,
+    /// Triangles of all of them.
+    pub surface_face_count: u32,
     /// The scene as it is from a frame on, in the order of these frames.
     variants: Vec<(i32, Scene)>,
 }
@@ -143,6 +151,8 @@ impl Plan {
     pub const MOST_OBSTACLES: u32 = 1024;
     /// Lights near the planet and the ground, at most.
     pub const MOST_LAMPS: u32 = 16;
+    /// Meshes that are seen, at most.
+    pub const MOST_SURFACES: u32 = 64;
     /// Cylinders before the ground, at most.
     pub const MOST_PILLARS: u32 = 16;
     /// Planes between layers, at most.
@@ -175,6 +185,7 @@ impl Plan {
         planet::check_planet(scene)?;
         for scene in &scenes {
             ground::check_ground(scene)?;
+            surface::check_surfaces(scene)?;
         }
         for scene in &scenes {
             flock::check_looks(scene)?;
@@ -204,6 +215,7 @@ impl Plan {
         let most_of_kinds = tree::most_of_kinds(&scenes, lifetime_bound, frame_end);
         let borne = tree::capacity(scene, &most_of_kinds)?;
         let spreads = SpreadTables::new(&scenes)?;
+        let surfaces = SurfaceTables::new(&scenes)?;
         let mut plan = Self {
             capacity: 1,
             may_drop: false,
@@ -242,6 +254,9 @@ impl Plan {
             }),
             point_capacity: point_capacity(scene)?,
             spreads: Arc::new(spreads),
+            surface_count: scene.surfaces.len() as u32,
+            surface_face_count: surface::face_count(scene)?,
+            surfaces: Arc::new(surfaces),
             variants,
         };
         plan.uses = plan.uses_of_all();
@@ -350,7 +365,8 @@ impl Plan {
             Stage::Tree => self.tree_levels > 0,
             Stage::Planet => self.uses.planet,
             Stage::Ground => self.uses.ground,
-            Stage::Lights => self.uses.ground && self.fire_count > 0,
+            Stage::Surface => self.surface_count > 0,
+            Stage::Lights => (self.uses.ground || self.surface_count > 0) && self.fire_count > 0,
             Stage::Hatch | Stage::Cells | Stage::Steer => self.flock_count > 0,
             Stage::Shapes | Stage::Cover => self.uses.covers,
             Stage::Front | Stage::Insert => self.spread_count > 0,
@@ -496,7 +512,10 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
     let fixed = |scene: &Scene| {
         (
             (tree(scene), scene.max_systems),
-            (scene.planet.is_some(), ground::has_ground(scene)),
+            (
+                (scene.planet.is_some(), ground::has_ground(scene)),
+                surface::fixed_of(scene),
+            ),
             blends(scene),
             scene.image.width,
             scene.image.height,
@@ -513,7 +532,7 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
                 "the change at frame {} alters what holds for a whole run",
                 turn.frame
             ),
-            help: "the list of systems, their names, parents and `blend`, whether there is a planet, whether a ground or pillars, the flocks' and fires' names and counts, `trail_frames`, what fires spread over from where and their `max_points`, the \
+            help: "the list of systems, their names, parents and `blend`, whether there is a planet, whether a ground or pillars, the number of surfaces, their meshes and `crease_degrees`, the flocks' and fires' names and counts, `trail_frames`, what fires spread over from where and their `max_points`, the \
                    number of layers, the image size, the seed and the capacity stay as the scene has \
                    them"
                 .into(),

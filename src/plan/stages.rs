@@ -36,6 +36,8 @@ pub enum Stage {
     Lights,
     /// The ground and the pillars on it, in that light.
     Ground,
+    /// Triangles, lit.
+    Surface,
     /// What covers, as it is seen.
     Shapes,
     /// What covers, from near to far, in every pixel.
@@ -264,6 +266,21 @@ pub static STAGES: &[StageInfo] = &[
         draws: true,
     },
     StageInfo {
+        stage: Stage::Surface,
+        name: "surface",
+        reads: &[
+            "frame",
+            "surfaces",
+            "surface_corners",
+            "surface_light",
+            "lamps",
+            "flame_lights",
+            "pillars",
+        ],
+        writes: &["surface_nearness", "surface_faces", "surface_pixels"],
+        draws: true,
+    },
+    StageInfo {
         stage: Stage::Shapes,
         name: "shapes",
         reads: &[
@@ -290,8 +307,8 @@ pub static STAGES: &[StageInfo] = &[
     StageInfo {
         stage: Stage::Cover,
         name: "cover",
-        reads: &["frame", "covers", "cover_counts"],
-        writes: &["cover_rg", "cover_bt"],
+        reads: &["frame", "covers", "cover_counts", "surface_nearness"],
+        writes: &["cover_rg", "cover_bt", "cover_front", "surface_pixels"],
         draws: true,
     },
     StageInfo {
@@ -306,6 +323,7 @@ pub static STAGES: &[StageInfo] = &[
             "counts",
             "particles",
             "layer_planes",
+            "surface_nearness",
         ],
         writes: &["planet_pixels", "light_low", "light_high"],
         draws: true,
@@ -320,6 +338,7 @@ pub static STAGES: &[StageInfo] = &[
             "counts",
             "particles",
             "layer_planes",
+            "surface_nearness",
         ],
         writes: &["light_low", "light_high"],
         draws: true,
@@ -348,6 +367,7 @@ pub static STAGES: &[StageInfo] = &[
             "flames",
             "flame_steps",
             "layer_planes",
+            "surface_nearness",
             "flame_discs",
             "flame_skews",
             "flame_bounds",
@@ -371,6 +391,7 @@ pub static STAGES: &[StageInfo] = &[
             "flames",
             "flame_steps",
             "layer_planes",
+            "surface_nearness",
         ],
         writes: &["strip_joints", "flame_bounds", "light_low", "light_high"],
         draws: true,
@@ -384,6 +405,7 @@ pub static STAGES: &[StageInfo] = &[
             "light_high",
             "ground_pixels",
             "planet_pixels",
+            "surface_pixels",
             "cover_rg",
             "cover_bt",
         ],
@@ -399,7 +421,11 @@ impl Stage {
             Self::Tree => !inputs.broods.is_empty(),
             Self::Planet => !inputs.planets.is_empty(),
             Self::Ground => !inputs.grounds.is_empty(),
-            Self::Lights => !inputs.grounds.is_empty() && !inputs.fires.is_empty(),
+            Self::Surface => !inputs.surfaces.is_empty(),
+            Self::Lights => {
+                let is_lit = !inputs.grounds.is_empty() || !inputs.surfaces.is_empty();
+                is_lit && !inputs.fires.is_empty()
+            }
             Self::Front | Self::Insert => !inputs.spreads.is_empty(),
             Self::Block => {
                 let blocks = |spread: &SpreadFrame| spread.kinds[1] & SPREAD_BLOCKS != 0;

@@ -21,6 +21,7 @@ impl Plan {
             covers: self.uses.covers,
             planet: self.uses.planet,
             ground: self.uses.ground,
+            surfaces: self.uses.surfaces,
             triangles: self.uses.triangles,
             cones: self.uses.cones,
             mirrors: self.uses.mirrors,
@@ -70,6 +71,7 @@ impl Plan {
         plan.first_frame = self.first_frame;
         plan.meshes = Arc::clone(&self.meshes);
         plan.spreads = Arc::clone(&self.spreads);
+        plan.surfaces = Arc::clone(&self.surfaces);
         plan.blocks = self.blocks;
         Ok(plan)
     }

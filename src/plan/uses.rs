@@ -74,6 +74,8 @@ uses! {
     planet "PLANET";
     /// A ground or pillars behind everything.
     ground "GROUND";
+    /// Meshes that are seen.
+    surfaces "SURFACES";
     /// Flames with details.
     details "DETAILS";
     /// Particles of flames with a matrix.
@@ -173,6 +175,7 @@ impl Uses {
             skews: inputs.fires.iter().any(has_matrix),
             strips: inputs.fires.iter().any(is_strip),
             ground: !inputs.grounds.is_empty(),
+            surfaces: !inputs.surfaces.is_empty(),
             layers: !inputs.layer_planes.is_empty(),
             covers: inputs.flocks.iter().any(is_drawn) || marks || front_lines,
             marks,

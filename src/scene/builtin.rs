@@ -42,6 +42,7 @@ pub const BUILTIN: &[BuiltinScene] = builtin![
     "bounce-constrain",
     "bounce-repel",
     "bounce-wrap",
+    "bronze-knot",
     "burning-cube",
     "burning-house",
     "burning-log",

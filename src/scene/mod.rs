@@ -28,6 +28,7 @@ mod scaled;
 pub mod schema;
 mod set;
 mod spread;
+mod surface;
 mod system;
 mod tracks;
 mod tree;
@@ -62,6 +63,7 @@ pub(crate) use set::Set;
 pub use spread::{
     Char, Curvature, FireSpread, FluxFormula, FrontHeading, FrontLine, Ignition, Insertion,
 };
+pub use surface::LitSurface;
 pub use system::{
     Blend, ChildUp, Integration, Intensity, ParticleShape, ParticleSpace, Shading, StreakLight,
     System,
@@ -131,6 +133,8 @@ pub struct Scene {
     pub ground: Option<Ground>,
     /// Cylinders before it, at most 16.
     pub pillars: Vec<Pillar>,
+    /// Meshes that are seen, at most 64.
+    pub surfaces: Vec<LitSurface>,
     /// The fires, in the order of the file, at most 64; names unique.
     pub fires: Vec<Fire>,
     /// The parts of the wind, at most 16; it is their sum.
@@ -157,9 +161,20 @@ impl Scene {
         parents.into_iter().any(|parent| parent == name)
     }
 
-    /// The meshes that its systems are born on, that its flames stand on and that its fires spread
-    /// over, each once.
+    /// The meshes that its systems are born on, that its flames stand on, that its fires spread over
+    /// and that are its surfaces, each once.
     pub fn meshes(&self) -> Vec<&Arc<Mesh>> {
+        let mut meshes = self.meshes_of_roots();
+        for surface in &self.surfaces {
+            if !meshes.iter().any(|known| Arc::ptr_eq(known, &surface.mesh)) {
+                meshes.push(&surface.mesh);
+            }
+        }
+        meshes
+    }
+
+    /// Those that something is born on or spreads over.
+    pub(crate) fn meshes_of_roots(&self) -> Vec<&Arc<Mesh>> {
         let of_systems = self
             .systems
             .iter()

@@ -116,6 +116,9 @@ impl Simulation {
         for pillar in &mut inputs.pillars {
             pillar.color = [0.0; 4];
         }
+        for surface in &mut inputs.surfaces {
+            surface.color = [0.0; 4];
+        }
         for planet in &mut inputs.planets {
             planet.color = [0.0; 4];
         }

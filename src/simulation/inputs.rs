@@ -2,7 +2,7 @@
 
 use crate::layout::{
     FLAME_LIGHTS, FLAME_STEPS, FireFrame, FlockFrame, Ground, Ignition, MOST_NEAREST, ROOTS_MESH,
-    SHAPE_CURVE, SHAPE_MESH, SPREAD_BLOCKS, SystemFrame, SystemRow,
+    SHAPE_CURVE, SHAPE_MESH, SPREAD_BLOCKS, SurfaceFrame, SurfaceLight, SystemFrame, SystemRow,
 };
 use crate::plan::{FrameInputs, Plan, PlanError};
 
@@ -45,6 +45,13 @@ pub(super) fn check_sizes(plan: &Plan, inputs: &FrameInputs) -> Result<(), PlanE
         if count > most as usize {
             return refuse(format!("{count} {what}"), format!("at most {most}"));
         }
+    }
+    if !meshes_fit(plan, inputs) {
+        return refuse(
+            "inputs with other surfaces than the plan's".into(),
+            "surfaces of the plan, on its triangles, and what falls on them counts what is listed"
+                .into(),
+        );
     }
     if !surfaces_fit(inputs) {
         return refuse(
@@ -128,6 +135,28 @@ fn surfaces_fit(inputs: &FrameInputs) -> bool {
     inputs.grounds.iter().all(is_right)
         && inputs.fires.iter().all(has_room)
         && inputs.light_roots.len() == lights
+}
+
+/// Whether surfaces are the plan's, one after the other, and the light on them counts what is listed.
+fn meshes_fit(plan: &Plan, inputs: &FrameInputs) -> bool {
+    let mut before = 0u64;
+    let mut is_own = |surface: &SurfaceFrame| {
+        let [first, count, number, _] = surface.faces.map(u64::from);
+        let is_next = number == before;
+        before += count;
+        is_next && (first + count) * 3 <= plan.surfaces.corners.len() as u64
+    };
+    let is_right = |light: &SurfaceLight| {
+        light.kinds[0] as usize <= inputs.lamps.len()
+            && light.kinds[1] <= FLAME_LIGHTS
+            && light.kinds[2] as usize <= inputs.pillars.len()
+            && light.counts[0] == plan.surface_count
+    };
+    inputs.surfaces.len() == plan.surface_count as usize
+        && inputs.surfaces.iter().all(&mut is_own)
+        && before == u64::from(plan.surface_face_count)
+        && inputs.surface_lights.len() == usize::from(plan.surface_count > 0)
+        && inputs.surface_lights.iter().all(is_right)
 }
 
 /// Whether fires have the plan's flames, and what they name is there.

@@ -42,12 +42,15 @@ impl Simulation {
             ["ground_pixels", "planet_pixels"].map(|name| self.backend.read(name));
         let (ground, planet) = (ground?, planet?);
         let (ground, planet) = (ground.as_chunks::<4>().0, planet.as_chunks::<4>().0);
+        let surface = self.backend.read("surface_pixels")?;
+        let surface = surface.as_chunks::<4>().0;
         let value = |(at, (low, high)): (usize, (&u32, &u32))| {
             let covers = rg.get(at / 3).copied().zip(bt.get(at / 3).copied());
             // As `resolve` has it, so that bytes and floats are of the same value.
             let what = Behind {
                 ground: ground.get(at / 3).copied(),
                 planet: planet.get(at / 3).copied(),
+                surface: surface.get(at / 3).copied(),
                 covers,
             };
             let behind = behind(&frame, what, at % 3);

@@ -9,7 +9,7 @@ mod twins;
 
 use common::hash;
 use glam::{Vec2, Vec3, Vec4};
-use motes::cpu::draw::cover::cover;
+use motes::cpu::draw::cover::{Pixels, cover};
 use motes::cpu::shape::{Look, disc_of, segment_of, square_of, triangle_of};
 use motes::layout::{COVER_NONE, Cover, Frame};
 use motes::plan::{FrameInputs, Plan};
@@ -35,7 +35,12 @@ fn plan_for(width: u32, height: u32, records: u32) -> (Plan, FrameInputs) {
 fn drawn(covers: &[Cover], frame: &Frame) -> Vec<[f32; 4]> {
     let pixels = (frame.width * frame.height) as usize;
     let (mut rg, mut bt) = (vec![[0; 2]; pixels], vec![[0; 2]; pixels]);
-    cover(covers, frame, &mut rg, &mut bt);
+    let pixels = Pixels {
+        rg: &mut rg,
+        bt: &mut bt,
+        front: &mut [],
+    };
+    cover(covers, frame, &[], pixels);
     let pixel = |(rg, bt): (&[u32; 2], &[u32; 2])| [rg[0], rg[1], bt[0], bt[1]].map(f32::from_bits);
     rg.iter().zip(&bt).map(pixel).collect()
 }

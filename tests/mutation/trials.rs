@@ -300,6 +300,12 @@ pub(crate) fn trials() -> Vec<Trial> {
             24,
             LARGE,
         ),
+        Trial::new(
+            "surfaces",
+            layered(unchanging(&all_kinds_of_surfaces(), 4)),
+            24,
+            LARGE,
+        ),
         Trial::new("glaring", unchanging(&glaring(), 6), 64, LARGE),
         Trial::new("cut corners", unchanging(&cut_corners(), 2), 64, LARGE),
         Trial::new(

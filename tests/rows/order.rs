@@ -1,6 +1,6 @@
 //! No sorting: any order gives the same picture (Reeves 1983, section 2.5).
 
-use motes::cpu::draw::splat::splat;
+use motes::cpu::draw::splat::{Onto, splat};
 use motes::cpu::light::LightSums;
 use motes::layout::Particle;
 use motes::plan::Plan;
@@ -44,12 +44,16 @@ fn r40_the_order_of_particles_does_not_matter() {
     let inputs = plan.inputs(11);
     for salt in 0..4 {
         let sums = LightSums::new(plan.width, plan.height);
+        let onto = Onto {
+            light: &sums,
+            nearness: &[],
+        };
         particles.sort_by_key(|particle| {
             let words = [particle.position_and_index, particle.velocity_and_birth].concat();
             words.iter().fold(salt, |sum, word| hash(sum ^ word))
         });
         for particle in &particles {
-            splat(particle, &inputs, &inputs.rows, &sums, false);
+            splat(particle, &inputs, &inputs.rows, onto, false);
         }
         let same = |(at, &steps): (usize, &u64)| {
             let (low, high) = sums.limbs(at);

@@ -8,9 +8,10 @@ use motes::scene::{
     Changing, Char, ChildUp, Corners, Curvature, Dimensions, Edges, EjectionAxis, EjectionSpread,
     Extinction, Fire, FireLights, FireSpread, FlameForm, Flock, FluxFormula, FrontHeading,
     FrontLine, GenerationShape, Goal, Ground, Ignition, Image, Inherit, Insertion, Integration,
-    Intensity, Lamp, Layer, Light, LightFrom, ListedFlame, Obstacle, ObstacleShape, ParticleShape,
-    ParticleSpace, Pillar, Planet, Profile, Projection, RampStop, Relation, RelationKind, Roots,
-    Rule, Scene, Shading, ShutterWeighting, Side, Spread, StreakLight, System, Turbulence, Wind,
+    Intensity, Lamp, Layer, Light, LightFrom, ListedFlame, LitSurface, Obstacle, ObstacleShape,
+    ParticleShape, ParticleSpace, Pillar, Planet, Profile, Projection, RampStop, Relation,
+    RelationKind, Roots, Rule, Scene, Shading, ShutterWeighting, Side, Spread, StreakLight, System,
+    Turbulence, Wind,
 };
 
 use crate::text::{FULL, MINIMAL, accepted};
@@ -122,6 +123,7 @@ fn what_is_not_written_has_the_documented_default() {
         lamps: vec![],
         ground: None,
         pillars: vec![],
+        surfaces: vec![],
         fires: vec![],
         winds: vec![],
         layers: vec![],
@@ -586,6 +588,14 @@ fn every_other_key_reaches_its_place() {
             color: [0.6, 0.5, 0.4],
             translucence: 0.75,
             depth: 0.4,
+        }],
+        surfaces: vec![LitSurface {
+            mesh: Arc::new(mesh::cube(2.0).expect("it is right")),
+            position: [3.0, 4.0, 5.0],
+            rotation_degrees: [15.0, -25.0],
+            scale: 2.5,
+            color: [0.4, 0.6, 0.2],
+            crease_degrees: 75.0,
         }],
         fires: vec![fire()],
         winds: vec![

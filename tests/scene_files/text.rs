@@ -72,6 +72,13 @@ height = 1.5
 color = [0.6, 0.5, 0.4]
 translucence = 0.75
 depth = 0.4
+[[surface]]
+mesh = "cube"
+position = [3, 4, 5]
+rotation_degrees = [15, -25]
+scale = 2.5
+color = [0.4, 0.6, 0.2]
+crease_degrees = 75
 [[lamp]]
 position = [4, 5, 6]
 color = [3, 2, 1]
@@ -522,6 +529,7 @@ pub(crate) fn fields_of(section: &str) -> &'static [Field] {
                 "lamp" => schema::LAMP,
                 "ground" => schema::GROUND,
                 "pillar" => schema::PILLAR,
+                "surface" => schema::SURFACE,
                 "layer" => schema::LAYER,
                 _ => panic!("no section {section}"),
             };

@@ -1,11 +1,13 @@
 // cover: in every pixel, what of a round covers it, from near to far.
 //
 // Porter and Duff (1984), "over". One invocation four pixels in a row of a tile, so that a record is
-// loaded once for them. Reads: frame, ranked_covers, tile_summaries, tile_bits. Writes: cover_rg,
-// cover_bt (red and green, blue and how much of what is behind shows through, as bits).
+// loaded once for them. Reads: frame, ranked_covers, tile_summaries, tile_bits, surface_nearness.
+// Writes: cover_rg, cover_bt (red and green, blue and how much of what is behind shows through, as
+// bits), where there are surfaces cover_front (how much of them does).
 // Invariant: a pixel depends on the records that cover it and on their order alone, not on tiles or
 // rounds: what is kept between rounds is snapped after every record.
 
+#import motes::behind::{Parted, behind_parted, is_closed_pixel}
 #import motes::cover::{HIDDEN, Kinds, Layered, Spot, behind}
 #import motes::dispatch::linear_index
 #import motes::exact::{bits_of, less}
@@ -21,6 +23,8 @@ const CONES: bool = #{CONES};
 const MARKS: bool = #{MARKS};
 // Whether any is mirrored.
 const MIRRORS: bool = #{MIRRORS};
+// Whether surfaces hide what is behind them.
+const SURFACES: bool = #{SURFACES};
 
 var<immediate> tiling: Tiling;
 
@@ -30,29 +34,57 @@ var<immediate> tiling: Tiling;
 @group(0) @binding(3) var<storage, read> tile_bits: array<u32>;
 @group(0) @binding(4) var<storage, read_write> cover_rg: array<vec2<u32>>;
 @group(0) @binding(5) var<storage, read_write> cover_bt: array<vec2<u32>>;
+@group(0) @binding(6) var<storage, read_write> cover_front: array<u32>;
+@group(0) @binding(7) var<storage, read> surface_nearness: array<vec4<u32>>;
 
 // What the rounds before have left of a pixel of the picture.
-fn begun(x: i32, y: i32) -> Layered {
+fn begun(x: i32, y: i32) -> Parted {
     if tiling.round == 0u || x >= i32(frame.width) || y >= i32(frame.height) {
-        return Layered(vec3<f32>(0.0f), 1.0f);
+        return Parted(Layered(vec3<f32>(0.0f), 1.0f), 1.0f);
     }
     let at = u32(y) * frame.width + u32(x);
     let rg = bitcast<vec2<f32>>(cover_rg[at]);
     let bt = bitcast<vec2<f32>>(cover_bt[at]);
-    return Layered(vec3<f32>(rg, bt.x), bt.y);
+    var front = 1.0f;
+    if SURFACES {
+        front = bitcast<f32>(cover_front[at]);
+    }
+    return Parted(Layered(vec3<f32>(rg, bt.x), bt.y), front);
 }
 
-fn keep(x: i32, y: i32, pixel: Layered) {
+fn keep(x: i32, y: i32, pixel: Parted) {
     if x >= i32(frame.width) || y >= i32(frame.height) {
         return;
     }
     let at = u32(y) * frame.width + u32(x);
-    cover_rg[at] = vec2<u32>(bits_of(pixel.color.x), bits_of(pixel.color.y));
-    cover_bt[at] = vec2<u32>(bits_of(pixel.color.z), bits_of(pixel.clear));
+    cover_rg[at] = vec2<u32>(bits_of(pixel.open.color.x), bits_of(pixel.open.color.y));
+    cover_bt[at] = vec2<u32>(bits_of(pixel.open.color.z), bits_of(pixel.open.clear));
+    if SURFACES {
+        cover_front[at] = bits_of(pixel.front);
+    }
 }
 
-fn is_closed(a: Layered, b: Layered, c: Layered, d: Layered) -> bool {
-    return less(a.clear, HIDDEN) && less(b.clear, HIDDEN) && less(c.clear, HIDDEN) && less(d.clear, HIDDEN);
+// How near surfaces are in a pixel's samples.
+fn nearness_at(x: i32, y: i32) -> vec4<u32> {
+    if !SURFACES || x >= i32(frame.width) || y >= i32(frame.height) {
+        return vec4<u32>(0u);
+    }
+    return surface_nearness[u32(y) * frame.width + u32(x)];
+}
+
+fn is_closed(pixel: Parted, nearness: vec4<u32>) -> bool {
+    if SURFACES {
+        return is_closed_pixel(pixel, nearness);
+    }
+    return less(pixel.open.clear, HIDDEN);
+}
+
+fn with_record(above: Parted, record: Cover, kinds: Kinds, spot: Spot, nearness: vec4<u32>) -> Parted {
+    let light_from = frame.light_from.xyz;
+    if SURFACES {
+        return behind_parted(above, record, kinds, light_from, spot, nearness);
+    }
+    return Parted(behind(above.open, record, kinds, light_from, spot), 1.0f);
 }
 
 @compute @workgroup_size(WORKGROUP_SIZE)
@@ -68,7 +100,10 @@ fn cover(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let y = i32((tile / tiling.across) * tiling.tile_px + in_tile / fours_across);
     let kinds = Kinds(RECTANGLES, STREAKS, TRIANGLES, MIRRORS, CONES, MARKS);
     let width = i32(frame.width);
-    let light_from = frame.light_from.xyz;
+    let near_a = nearness_at(x, y);
+    let near_b = nearness_at(x + 1, y);
+    let near_c = nearness_at(x + 2, y);
+    let near_d = nearness_at(x + 3, y);
     var a = begun(x, y);
     var b = begun(x + 1, y);
     var c = begun(x + 2, y);
@@ -76,17 +111,18 @@ fn cover(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let first_summary = tile * summaries_a_tile(tiling);
     for (var at = 0u; at < summaries_a_tile(tiling); at += 1u) {
         var summary = tile_summaries[first_summary + at];
-        while summary != 0u && !is_closed(a, b, c, d) {
+        while summary != 0u
+            && !(is_closed(a, near_a) && is_closed(b, near_b) && is_closed(c, near_c) && is_closed(d, near_d)) {
             let word = at * 32u + firstTrailingBit(summary);
             summary &= summary - 1u;
             var bits = tile_bits[tile * words_a_tile(tiling) + word];
             while bits != 0u {
                 let record = ranked_covers[word * 32u + firstTrailingBit(bits)];
                 bits &= bits - 1u;
-                a = behind(a, record, kinds, light_from, Spot(x, y, width));
-                b = behind(b, record, kinds, light_from, Spot(x + 1, y, width));
-                c = behind(c, record, kinds, light_from, Spot(x + 2, y, width));
-                d = behind(d, record, kinds, light_from, Spot(x + 3, y, width));
+                a = with_record(a, record, kinds, Spot(x, y, width), near_a);
+                b = with_record(b, record, kinds, Spot(x + 1, y, width), near_b);
+                c = with_record(c, record, kinds, Spot(x + 2, y, width), near_c);
+                d = with_record(d, record, kinds, Spot(x + 3, y, width), near_d);
             }
         }
     }

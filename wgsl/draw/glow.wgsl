@@ -3,18 +3,23 @@
 // Perry 1994, 3.2.2: the particles along a flame accumulate, whichever comes first. So many
 // invocations share a flame, each taking every so manieth run of 8 pixels in a line: what the 25
 // particles add to a pixel is summed before it is added, once, to the picture.
-// Reads: frame, flame_discs, flame_skews, flame_bounds. Writes, by atomic adds: light_low, light_high.
+// A disc is as near as the place that it is around, and its front.
+// Reads: frame, flame_discs, flame_skews, flame_bounds, flame_steps,
+// surface_nearness. Writes, by atomic adds: light_low, light_high.
 // Invariant: the image does not depend on the order of flames, nor on how they are shared out.
 
 #import motes::fan::{Lit, center_shares, with_disc}
 #import motes::dispatch::linear_index
-#import motes::exact::{f32_of_u32, less}
+#import motes::exact::{f32_of_u32, less, reciprocal}
 #import motes::layout::{FLAME_STEPS, FlameDisc, Frame}
 #import motes::light::steps_of
+#import motes::veil::{front_of, open_share}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 // Whether some particles have a matrix.
 const SKEWS: bool = #{SKEWS};
+// Whether surfaces hide what is behind them.
+const SURFACES: bool = #{SURFACES};
 // Pixels that an invocation sums at a time.
 const GLOW_RUN: u32 = 8u;
 
@@ -31,6 +36,8 @@ var<immediate> work: Work;
 @group(0) @binding(3) var<storage, read_write> light_low: array<atomic<u32>>;
 @group(0) @binding(4) var<storage, read_write> light_high: array<atomic<u32>>;
 @group(0) @binding(5) var<storage, read> flame_skews: array<vec2<u32>>;
+@group(0) @binding(6) var<storage, read> flame_steps: array<vec4<u32>>;
+@group(0) @binding(7) var<storage, read> surface_nearness: array<vec4<u32>>;
 
 fn add_to_limbs(at: u32, steps: u32) {
     let before = atomicAdd(&light_low[at], steps);
@@ -47,6 +54,19 @@ fn add_light(x: u32, y: u32, end: u32, light: vec3<f32>) {
     add_to_limbs(first, steps_of(light.x));
     add_to_limbs(first + 1u, steps_of(light.y));
     add_to_limbs(first + 2u, steps_of(light.z));
+}
+
+// Adds to the sum what of `more` surfaces leave in four pixels, of which the first is told.
+fn with_open(sum: Lit, more: Lit, front: u32, x: u32, y: u32, end: u32) -> Lit {
+    let pixel = y * frame.width + x;
+    let last = y * frame.width + end - 1u;
+    let open = vec4<f32>(
+        open_share(surface_nearness[min(pixel, last)], front),
+        open_share(surface_nearness[min(pixel + 1u, last)], front),
+        open_share(surface_nearness[min(pixel + 2u, last)], front),
+        open_share(surface_nearness[min(pixel + 3u, last)], front),
+    );
+    return Lit(sum.red + more.red * open, sum.green + more.green * open, sum.blue + more.blue * open);
 }
 
 fn no_light() -> Lit {
@@ -78,8 +98,21 @@ fn glow_run(flame: u32, inner: vec2<f32>, x: u32, y: u32, end: u32) {
             let across_far = off_far * place.z + down * skew.x;
             let along = off * skew.y + down * place.w;
             let along_far = off_far * skew.y + down * place.w;
-            near = with_disc(near, center, rim, inner, center_shares(across, along));
-            far = with_disc(far, center, rim, inner, center_shares(across_far, along_far));
+            let shares = center_shares(across, along);
+            let shares_far = center_shares(across_far, along_far);
+            if SURFACES {
+                let world = bitcast<vec3<f32>>(flame_steps[at].xyz);
+                let row = frame.view_from_world_z;
+                let depth = row.x * world.x + row.y * world.y + row.z * world.z + row.w;
+                let front = front_of(frame, depth, reciprocal(abs(place.z) + abs(skew.x)));
+                let of_near = with_disc(no_light(), center, rim, inner, shares);
+                let of_far = with_disc(no_light(), center, rim, inner, shares_far);
+                near = with_open(near, of_near, front, x, y, end);
+                far = with_open(far, of_far, front, x + 4u, y, end);
+            } else {
+                near = with_disc(near, center, rim, inner, shares);
+                far = with_disc(far, center, rim, inner, shares_far);
+            }
         }
     }
     add_four(near, x, y, end);

@@ -5,7 +5,8 @@
 // something covers, plus its colour times the exposure and what shows of the background.
 // One invocation four pixels, so that loads and stores are of four words; buffers are padded to
 // whole fours, and what is past the picture's end is written as 0, for the digest.
-// Reads: frame, light_low, light_high, light_packed, ground_pixels, planet_pixels, cover_rg, cover_bt.
+// Reads: frame, light_low, light_high, light_packed, ground_pixels, planet_pixels,
+// surface_pixels, cover_rg, cover_bt.
 // Writes: image (RGBA, red in the low byte, rows from the top).
 // Invariant: each pixel depends on its own sums alone.
 
@@ -22,6 +23,8 @@ const COVERS: bool = #{COVERS};
 const PLANET: bool = #{PLANET};
 // Whether there is a ground behind that.
 const GROUND: bool = #{GROUND};
+// Whether there are surfaces before that.
+const SURFACES: bool = #{SURFACES};
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read> light_low: array<vec4<u32>>;
@@ -31,8 +34,9 @@ const GROUND: bool = #{GROUND};
 @group(0) @binding(5) var<storage, read_write> image: array<vec4<u32>>;
 @group(0) @binding(6) var<storage, read> planet_pixels: array<vec4<u32>>;
 @group(0) @binding(7) var<storage, read> ground_pixels: array<vec4<u32>>;
+@group(0) @binding(8) var<storage, read> surface_pixels: array<vec4<u32>>;
 #if WIDE == true
-@group(0) @binding(8) var<storage, read> light_packed: array<vec4<u64>>;
+@group(0) @binding(9) var<storage, read> light_packed: array<vec4<u64>>;
 #endif
 
 fn byte_of(low: u32, high: u32, behind: f32) -> u32 {
@@ -62,10 +66,18 @@ fn pixel_of(pixel: u32, sums: Sums) -> u32 {
         let planet = bitcast<vec4<f32>>(planet_pixels[pixel]);
         behind = planet.xyz * frame.exposure + behind * planet.w;
     }
+    var cover = vec4<f32>(0.0f, 0.0f, 0.0f, 1.0f);
     if COVERS {
-        let rg = bitcast<vec2<f32>>(cover_rg[pixel]);
-        let bt = bitcast<vec2<f32>>(cover_bt[pixel]);
-        behind = vec3<f32>(rg, bt.x) * frame.exposure + behind * bt.y;
+        cover = bitcast<vec4<f32>>(vec4<u32>(cover_rg[pixel], cover_bt[pixel]));
+    }
+    behind *= cover.w;
+    if SURFACES {
+        // What covers is behind it and before it: it is dimmed by that already.
+        let surface = bitcast<vec4<f32>>(surface_pixels[pixel]);
+        behind = surface.xyz * frame.exposure + behind * surface.w;
+    }
+    if COVERS {
+        behind = cover.xyz * frame.exposure + behind;
     }
     let red = byte_of(low.x, high.x, behind.x);
     let green = byte_of(low.y, high.y, behind.y);

@@ -4,7 +4,7 @@
 // added depends on colour and transparency, not on distance; motes::disc says where it falls.
 // One invocation a particle of one page. What covers more, moves or is square is left to
 // splat_large: drivers that run all branches would run that for every particle.
-// Reads: frame, system_frames, rows, counts, particles, layer_planes. Writes, by atomic adds: light_low,
+// Reads: frame, system_frames, rows, counts, particles, layer_planes, surface_nearness. Writes, by atomic adds: light_low,
 // light_high, where WIDE light_packed before them; large_particles (motes::footprint).
 // Invariant: the image does not depend on the order of particles.
 
@@ -17,6 +17,7 @@
 #import motes::packed::{UNFIT, channels_of, left_over, packed, rest_of}
 #import motes::particle::{age_of, from_words, row_index, slot_of}
 #import motes::reach::{is_visible, moves}
+#import motes::veil::{front_of, open_share}
 #import motes::sprite::{Features, Sprite, next_layer, sprite_of}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
@@ -33,6 +34,8 @@ const COVERS: bool = #{COVERS};
 // Whether the picture has layers.
 const LAYERS: bool = #{LAYERS};
 
+// Whether surfaces hide what is behind them.
+const SURFACES: bool = #{SURFACES};
 // Whether a planet splits the picture.
 const PLANET: bool = #{PLANET};
 
@@ -46,14 +49,15 @@ var<immediate> pages: Pages;
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read> system_frames: array<SystemFrame>;
 @group(0) @binding(2) var<storage, read> rows: array<SystemRow>;
-@group(0) @binding(3) var<storage, read> counts: Counts;
+@group(0) @binding(3) var<uniform> counts: Counts;
 @group(0) @binding(5) var<storage, read_write> light_low: array<atomic<u32>>;
 @group(0) @binding(6) var<storage, read_write> light_high: array<atomic<u32>>;
 @group(0) @binding(7) var<storage, read_write> large_particles: array<atomic<u32>>;
 @group(0) @binding(8) var<storage, read> layer_planes: array<vec4<f32>>;
+@group(0) @binding(9) var<storage, read> surface_nearness: array<vec4<u32>>;
 #if WIDE == true
 @group(0) @binding(4) var<storage, read> particles: array<vec4<u64>>;
-@group(0) @binding(9) var<storage, read_write> light_packed: array<atomic<u64>>;
+@group(0) @binding(10) var<storage, read_write> light_packed: array<atomic<u64>>;
 #else
 @group(0) @binding(4) var<storage, read> particles: array<Particle>;
 #endif
@@ -94,7 +98,7 @@ fn add_left(pixel: u32, rest: u32, steps: vec3<u32>) {
 // A small disc at rest. What it covers is found first, a bit a pixel, so that invocations side by
 // side then turn a loop as often as they have pixels, wherever these are. What a packed pixel does
 // not take is rare: the loop is left for it, so that those that run all branches do so once a disc.
-fn draw(disc: Disc, radius_px: f32, color: vec3<f32>) {
+fn draw(disc: Disc, radius_px: f32, color: vec3<f32>, front: u32) {
     let covered = covered_of(disc, radius_px, vec2<i32>(i32(frame.width), i32(frame.height)));
     var bits = covered.bits;
     while bits != 0u {
@@ -107,7 +111,11 @@ fn draw(disc: Disc, radius_px: f32, color: vec3<f32>) {
             let to = vec2<u32>(disc.first) + place;
             pixel = to.y * frame.width + to.x;
             let center = disc.first_center + vec2<f32>(f32_of_u32(place.x), f32_of_u32(place.y));
-            steps = steps_for(color, weight_at(disc, center) * covered.gain);
+            var weight = weight_at(disc, center) * covered.gain;
+            if SURFACES {
+                weight *= open_share(surface_nearness[pixel], front);
+            }
+            steps = steps_for(color, weight);
             rest = add_packed(pixel, steps);
         }
         add_left(pixel, rest, steps);
@@ -177,7 +185,8 @@ fn splat(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let reach = reach_of(sprite.radius_px);
     if rests && less(reach, SMALL_REACH_PX) {
         let disc = disc_at(vec2<f32>(sprite.start.x, sprite.start.y), reach);
-        draw(disc, sprite.radius_px, sprite.color);
+        let front = front_of(frame, sprite.start.depth, sprite.radius_px);
+        draw(disc, sprite.radius_px, sprite.color, front);
     } else {
         leave_to_splat_large(at, is_for_one(sprite.start, sprite.end, sprite.radius_px));
     }

@@ -4,7 +4,7 @@
 // What splat has left in large_particles of one page: first an invocation each for those of few
 // pixels, then SHARES for each of the others, of which each takes every SHARES-th row, so that no
 // invocation's loops get long.
-// Reads: frame, system_frames, rows, large_particles, particles. Writes: light as splat does.
+// Reads: frame, system_frames, rows, large_particles, particles, surface_nearness. Writes: light as splat does.
 // Invariant: as splat's: the image does not depend on the order of particles.
 
 #import motes::dispatch::linear_index
@@ -17,6 +17,7 @@
 #import motes::packed::{UNFIT, channels_of, left_over, packed, rest_of}
 #import motes::particle::{age_of, from_words, row_index, slot_of}
 #import motes::reach::center_of
+#import motes::veil::{front_of, open_share}
 #import motes::sprite::{Features, sprite_of}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
@@ -28,6 +29,8 @@ const STREAKS: bool = #{STREAKS};
 const RECTANGLES: bool = #{RECTANGLES};
 const RATE_SPREADS: bool = #{RATE_SPREADS};
 const LIGHT_DISTANCES: bool = #{LIGHT_DISTANCES};
+// Whether surfaces hide what is behind them.
+const SURFACES: bool = #{SURFACES};
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read> system_frames: array<SystemFrame>;
@@ -35,9 +38,10 @@ const LIGHT_DISTANCES: bool = #{LIGHT_DISTANCES};
 @group(0) @binding(4) var<storage, read> large_particles: array<u32>;
 @group(0) @binding(5) var<storage, read_write> light_low: array<atomic<u32>>;
 @group(0) @binding(6) var<storage, read_write> light_high: array<atomic<u32>>;
+@group(0) @binding(7) var<storage, read> surface_nearness: array<vec4<u32>>;
 #if WIDE == true
 @group(0) @binding(3) var<storage, read> particles: array<vec4<u64>>;
-@group(0) @binding(7) var<storage, read_write> light_packed: array<atomic<u64>>;
+@group(0) @binding(8) var<storage, read_write> light_packed: array<atomic<u64>>;
 #else
 @group(0) @binding(3) var<storage, read> particles: array<Particle>;
 #endif
@@ -76,7 +80,7 @@ fn add_left(pixel: u32, rest: u32, steps: vec3<u32>) {
 }
 
 // One row of pixels across the major axis.
-fn draw_row(shape: Footprint, major: i32, color: vec3<f32>) {
+fn draw_row(shape: Footprint, major: i32, color: vec3<f32>, front: u32) {
     let at_major = center_of(major);
     let range = minor_range(shape, at_major);
     let last = min(range.y, shape.minor_size);
@@ -92,6 +96,9 @@ fn draw_row(shape: Footprint, major: i32, color: vec3<f32>) {
             let x = u32(select(major, minor, shape.steep));
             let y = u32(select(minor, major, shape.steep));
             let pixel = y * frame.width + x;
+            if SURFACES {
+                weight *= open_share(surface_nearness[pixel], front);
+            }
             let steps = steps_for(color, weight);
             add_left(pixel, add_packed(pixel, steps), steps);
         }
@@ -132,8 +139,9 @@ fn splat_large(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let shape = footprint_of(
         frame, sprite.start, sprite.end, sprite.radius_px, sprite.square, sprite.conserved,
     );
+    let front = front_of(frame, sprite.start.depth, sprite.radius_px);
     let step = select(1, i32(SHARES), is_shared);
     for (var major = shape.first + i32(share % SHARES); major < shape.last; major += step) {
-        draw_row(shape, major, sprite.color);
+        draw_row(shape, major, sprite.color, front);
     }
 }

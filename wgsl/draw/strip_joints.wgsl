@@ -84,7 +84,7 @@ fn strip_joints_of(@builtin(global_invocation_id) global_id: vec3<u32>) {
         let opacity = bitcast<f32>(flame.look.z) * (wide * reciprocal(drawn)) * overlap;
         strip_joints[at * FLAME_STEPS + age] = StripJoint(
             vec4<u32>(bits_of(seen.x), bits_of(seen.y), bits_of(way.x), bits_of(way.y)),
-            vec4<u32>(bits_of(drawn), bits_of(opacity), select(0u, 1u, is_seen), 0u),
+            vec4<u32>(bits_of(drawn), bits_of(opacity), select(0u, 1u, is_seen), bits_of(seen.depth)),
         );
         if is_seen {
             // Where a strip bends between two joints, it is farther from both.

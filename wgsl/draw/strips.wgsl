@@ -2,8 +2,8 @@
 //
 // Perry 1994, 4.2 and Fig 4-1. Many invocations share a flame, each taking every so manieth pixel of those
 // that it may touch; a pixel is of the pieces of the strip that it lies in, nearly always one or none.
-// Reads: frame, fires, age_looks, flames, strip_joints, flame_bounds. Writes, by atomic adds: light_low,
-// light_high.
+// Reads: frame, fires, age_looks, flames, strip_joints, flame_bounds, surface_nearness. Writes, by atomic
+// adds: light_low, light_high.
 // Invariant: between two pieces there is no gap, and nothing is of both; the image does not depend on the
 // order of flames, nor on how they are shared out.
 
@@ -11,9 +11,12 @@
 #import motes::exact::{f32_of_u32, less, reciprocal, to_u32}
 #import motes::layout::{AgeLook, FLAME_STEPS, FireFrame, Flame, Frame, StripJoint}
 #import motes::light::steps_of
+#import motes::veil::{front_of, open_share}
 #import motes::strip::{along, beside, color_age, end_share, middle_share, turbulence}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
+// Whether surfaces hide what is behind them.
+const SURFACES: bool = #{SURFACES};
 
 struct Work {
     flame_count: u32,
@@ -30,6 +33,7 @@ var<immediate> work: Work;
 @group(0) @binding(5) var<storage, read> flame_bounds: array<vec4<u32>>;
 @group(0) @binding(6) var<storage, read_write> light_low: array<atomic<u32>>;
 @group(0) @binding(7) var<storage, read_write> light_high: array<atomic<u32>>;
+@group(0) @binding(8) var<storage, read> surface_nearness: array<vec4<u32>>;
 
 fn add_to_limbs(at: u32, steps: u32) {
     let before = atomicAdd(&light_low[at], steps);
@@ -53,8 +57,16 @@ fn texel(fire: FireFrame, slot: u32, index: u32, age: f32, across: f32, opacity:
     return (rim.xyz + (center.xyz - rim.xyz) * share) * alpha;
 }
 
-// What a flame adds to a pixel.
-fn strip_light(flame: u32, fire: FireFrame, slot: u32, index: u32, pixel: vec2<f32>) -> vec3<f32> {
+// What surfaces leave of a place of the strip in the pixel.
+fn open_at(at: u32, depth: f32, half_width: f32) -> f32 {
+    if !SURFACES {
+        return 1.0f;
+    }
+    return open_share(surface_nearness[at], front_of(frame, depth, half_width));
+}
+
+// What a flame adds to the pixel `at` of the picture.
+fn strip_light(flame: u32, fire: FireFrame, slot: u32, index: u32, pixel: vec2<f32>, at: u32) -> vec3<f32> {
     var sum = vec3<f32>(0.0f);
     var from_here = strip_joints[flame * FLAME_STEPS];
     var place = bitcast<vec4<f32>>(from_here.place);
@@ -76,7 +88,9 @@ fn strip_light(flame: u32, fire: FireFrame, slot: u32, index: u32, pixel: vec2<f
             let across = far * reciprocal(between.x);
             if less(abs(across), 1.0f) {
                 let own_age = f32_of_u32(age - 1u) + part;
-                sum += texel(fire, slot, index, own_age, across, between.y);
+                let depths = vec2<f32>(bitcast<f32>(from_here.extent.w), bitcast<f32>(to_there.extent.w));
+                let open = open_at(at, depths.x + (depths.y - depths.x) * part, between.x);
+                sum += texel(fire, slot, index, own_age, across, between.y) * open;
             }
         }
         from_here = to_there;
@@ -106,9 +120,10 @@ fn strips(@builtin(global_invocation_id) global_id: vec3<u32>) {
         let x = first.x + nth % columns;
         let y = first.y + nth / columns;
         let middle = vec2<f32>(f32_of_u32(x) + 0.5f, f32_of_u32(y) + 0.5f);
-        let light = strip_light(flame, fire, slot, index, middle);
+        let pixel = y * frame.width + x;
+        let light = strip_light(flame, fire, slot, index, middle, pixel);
         if less(0.0f, light.x + light.y + light.z) {
-            let channel = (y * frame.width + x) * 3u;
+            let channel = pixel * 3u;
             add_to_limbs(channel, steps_of(light.x));
             add_to_limbs(channel + 1u, steps_of(light.y));
             add_to_limbs(channel + 2u, steps_of(light.z));

@@ -525,6 +525,37 @@ struct Pillar {
     color: vec4<f32>,
 }
 
+// A mesh somewhere, as one frame sees it. The transform is rows of a 3 x 4 matrix.
+struct SurfaceFrame {
+    world_from_mesh_x: vec4<f32>,
+    world_from_mesh_y: vec4<f32>,
+    world_from_mesh_z: vec4<f32>,
+    // The part of the light that it reflects.
+    color: vec4<f32>,
+    // First triangle among those stored, how many, the first's number among those of all surfaces.
+    faces: vec4<u32>,
+}
+
+// What falls on surfaces, and what hides them.
+struct SurfaceLight {
+    eye: vec4<f32>,
+    // Where the light comes from, its colour, light from everywhere.
+    light_from: vec4<f32>,
+    light_color: vec4<f32>,
+    ambient: vec4<f32>,
+    // What the places of lamps are counted from.
+    lamps_from: vec4<f32>,
+    // From the eye to a planet's centre; squared distance of the centre less squared radius.
+    planet: vec4<f32>,
+    // Those of a ground.
+    plane: vec4<f32>,
+    middle: vec4<f32>,
+    // Lamps, lights of flames, pillars, planets.
+    kinds: vec4<u32>,
+    // Surfaces.
+    counts: vec4<u32>,
+}
+
 // A point light that stands for flames.
 struct FlameLight {
     // Where it is, and the square of its extent, as bits.
@@ -654,7 +685,7 @@ struct FlameDisc {
 struct StripJoint {
     // Place in pixels, the unit vector along the flame.
     place: vec4<u32>,
-    // Half-width in pixels, factor of the opacity, whether it is seen.
+    // Half-width in pixels, factor of the opacity, whether it is seen, depth.
     extent: vec4<u32>,
 }
 

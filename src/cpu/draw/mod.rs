@@ -14,3 +14,5 @@ pub mod shapes;
 pub mod splat;
 pub mod strip_joints;
 pub mod strips;
+pub mod surface;
+pub mod surface_raster;

@@ -16,29 +16,39 @@ pub struct Behind {
     pub ground: Option<[u32; 4]>,
     /// That of the planet before it, if there is one.
     pub planet: Option<[u32; 4]>,
+    /// That of the surfaces before it, if there are any, dimmed by what covers them.
+    pub surface: Option<[u32; 4]>,
     /// Words of `cover_rg` and `cover_bt` for the pixel, if anything covers.
     pub covers: Option<([u32; 2], [u32; 2])>,
 }
 
-/// What is behind the light of a pixel's channel, red, green or blue: what covers it, and what of the
-/// planet, of the ground and of the background shows through.
+/// What is behind the light of a pixel's channel, red, green or blue: what covers it, and what of
+/// surfaces, of the planet, of the ground and of the background shows through.
 #[inline]
 pub(crate) fn behind(frame: &Frame, what: Behind, channel: usize) -> f32 {
     let Behind {
         ground,
         planet,
+        surface,
         covers,
     } = what;
     let mut background = frame.background[channel];
-    for surface in [ground, planet].into_iter().flatten() {
-        let [color, clear] = [surface[channel], surface[3]].map(f32::from_bits);
+    for behind in [ground, planet].into_iter().flatten() {
+        let [color, clear] = [behind[channel], behind[3]].map(f32::from_bits);
         background = color * frame.exposure + background * clear;
     }
-    let Some(([red, green], [blue, clear])) = covers else {
+    let clear = covers.map_or(1.0, |(_, [_, clear])| f32::from_bits(clear));
+    background *= clear;
+    if let Some(surface) = surface {
+        // What covers is behind it and before it: it is dimmed by that already.
+        let [color, open] = [surface[channel], surface[3]].map(f32::from_bits);
+        background = color * frame.exposure + background * open;
+    }
+    let Some(([red, green], [blue, _])) = covers else {
         return background;
     };
     let color = f32::from_bits([red, green, blue][channel]);
-    color * frame.exposure + background * f32::from_bits(clear)
+    color * frame.exposure + background
 }
 
 /// One pixel: RGBA with red in the low byte.

@@ -10,13 +10,37 @@ use crate::cpu::light::{LightSums, steps_of};
 use crate::cpu::particle::row_index;
 use crate::cpu::reach::{is_visible, moves};
 use crate::cpu::sprite::{Sprite, next_layer, sprite_of};
+use crate::cpu::veil::{front_of, open_share};
 use crate::exact::{dot3, less};
 use crate::layout::{Particle, ROW_OVER, SystemRow};
 use crate::plan::FrameInputs;
 
+/// What particles are drawn onto.
+#[derive(Clone, Copy, Debug)]
+pub struct Onto<'a> {
+    /// The picture's light.
+    pub light: &'a LightSums,
+    /// How near surfaces are in each pixel's samples; empty if there are none.
+    pub nearness: &'a [[u32; 4]],
+}
+
+/// A particle's colour, and how near its front is.
+#[derive(Clone, Copy)]
+struct Shown {
+    color: Vec3,
+    front: u32,
+}
+
 #[inline]
-fn add_light(light: &LightSums, x: i32, y: i32, color: Vec3, weight: f32) {
-    let at = (y as usize * light.width as usize + x as usize) * 3;
+fn add_light(onto: Onto<'_>, x: i32, y: i32, shown: Shown, weight: f32) {
+    let Shown { color, front } = shown;
+    let light = onto.light;
+    let pixel = y as usize * light.width as usize + x as usize;
+    let weight = match onto.nearness.get(pixel) {
+        Some(nearness) => weight * open_share(*nearness, front),
+        None => weight,
+    };
+    let at = pixel * 3;
     light.add(at, steps_of(color.x * weight));
     light.add(at + 1, steps_of(color.y * weight));
     light.add(at + 2, steps_of(color.z * weight));
@@ -24,7 +48,7 @@ fn add_light(light: &LightSums, x: i32, y: i32, color: Vec3, weight: f32) {
 
 /// One row of pixels across the major axis.
 #[inline]
-fn draw_row(light: &LightSums, shape: &Footprint, major: i32, color: Vec3) {
+fn draw_row(onto: Onto<'_>, shape: &Footprint, major: i32, shown: Shown) {
     let (low, high) = shape.minor_range(major);
     for minor in low.max(0)..high.min(shape.minor_size) {
         let weight = if shape.square {
@@ -38,19 +62,19 @@ fn draw_row(light: &LightSums, shape: &Footprint, major: i32, color: Vec3) {
             } else {
                 (major, minor)
             };
-            add_light(light, x, y, color, weight);
+            add_light(onto, x, y, shown, weight);
         }
     }
 }
 
 /// A small disc at rest.
-fn draw_small_disc(light: &LightSums, sprite: &Sprite) {
+fn draw_small_disc(onto: Onto<'_>, sprite: &Sprite, shown: Shown) {
     let center = Vec2::new(sprite.start.x, sprite.start.y);
-    let (width, height) = (light.width as i32, light.height as i32);
+    let (width, height) = (onto.light.width as i32, onto.light.height as i32);
     small_disc(center, sprite.radius_px, |at, weight| {
         let inside = (0..width).contains(&at.x) && (0..height).contains(&at.y);
         if inside && less(0.0, weight) {
-            add_light(light, at.x, at.y, sprite.color, weight);
+            add_light(onto, at.x, at.y, shown, weight);
         }
     });
 }
@@ -76,7 +100,7 @@ pub fn splat(
     particle: &Particle,
     inputs: &FrameInputs,
     rows: &[SystemRow],
-    light: &LightSums,
+    onto: Onto<'_>,
     is_behind: bool,
 ) {
     let frame = &inputs.frame;
@@ -96,9 +120,13 @@ pub fn splat(
     if !inputs.planets.is_empty() && is_beyond(frame, sprite.world) != is_behind {
         return;
     }
+    let shown = Shown {
+        color: sprite.color,
+        front: front_of(frame, start.depth, sprite.radius_px),
+    };
     let rests = !moves(start, end) && !sprite.square;
     if rests && less(reach_of(sprite.radius_px), SMALL_REACH_PX) {
-        draw_small_disc(light, &sprite);
+        draw_small_disc(onto, &sprite, shown);
         return;
     }
     let shape = Footprint::new(
@@ -110,6 +138,6 @@ pub fn splat(
         sprite.conserved,
     );
     for major in shape.first..shape.last {
-        draw_row(light, &shape, major, sprite.color);
+        draw_row(onto, &shape, major, shown);
     }
 }

@@ -63,7 +63,12 @@ pub fn strip_joints(
         let opacity = f32::from_bits(brightness) * (wide * reciprocal(drawn)) * overlap;
         *joint = StripJoint {
             place: [seen.x, seen.y, way.x, way.y].map(bits_of),
-            extent: [bits_of(drawn), bits_of(opacity), u32::from(is_seen), 0],
+            extent: [
+                bits_of(drawn),
+                bits_of(opacity),
+                u32::from(is_seen),
+                bits_of(seen.depth),
+            ],
         };
         if is_seen {
             let reach = drawn + (seen_behind.x - seen.x).abs() + (seen_behind.y - seen.y).abs();

@@ -2,8 +2,10 @@
 
 use glam::{Vec2, Vec3, Vec4};
 
-use crate::cpu::light::{LightSums, steps_of};
+use super::glow::Onto;
+use crate::cpu::light::steps_of;
 use crate::cpu::strip::{along, beside, color_age, end_share, middle_share, turbulence};
+use crate::cpu::veil::{front_of, open_share};
 use crate::exact::{f32_of_u32, less, reciprocal, to_u32};
 use crate::layout::{AgeLook, FLAME_STEPS, FireFrame, Flame, StripJoint};
 use crate::plan::FrameInputs;
@@ -33,13 +35,14 @@ fn texel(
     (rim.truncate() + (center.truncate() - rim.truncate()) * share) * alpha
 }
 
-/// What a flame adds to a pixel.
+/// What a flame adds to a pixel; `open` is what surfaces leave of a place at a depth that is so wide.
 fn strip_light(
     joints: &[StripJoint],
     fire: &FireFrame,
     looks: &[AgeLook],
     index: u32,
     pixel: Vec2,
+    open: impl Fn(f32, f32) -> f32,
 ) -> Vec3 {
     let mut sum = Vec3::ZERO;
     for (age, two) in (0..).zip(joints.windows(2)) {
@@ -64,7 +67,8 @@ fn strip_light(
         let across = far * reciprocal(between(0));
         if less(across.abs(), 1.0) {
             let own_age = f32_of_u32(age) + part;
-            sum += texel(fire, looks, index, own_age, across, between(1));
+            let light = texel(fire, looks, index, own_age, across, between(1));
+            sum += light * open(between(3), between(0));
         }
     }
     sum
@@ -77,14 +81,20 @@ pub fn strips(
     flame: &Flame,
     joints: &[StripJoint],
     [across, down, ..]: [u32; 4],
-    light: &LightSums,
+    onto: Onto<'_>,
 ) {
+    let light = onto.light;
     let fire = &inputs.fires[flame.fire() as usize];
     let looks = &inputs.age_looks[(flame.fire() * FLAME_STEPS) as usize..];
     for y in down & 0xffff..down >> 16 {
         for x in across & 0xffff..across >> 16 {
             let pixel = Vec2::new(f32_of_u32(x) + 0.5, f32_of_u32(y) + 0.5);
-            let sum = strip_light(joints, fire, looks, flame.index(), pixel);
+            let nearness = onto.nearness.get((y * light.width + x) as usize);
+            let open = |depth, half_width| {
+                let front = front_of(onto.frame, depth, half_width);
+                nearness.map_or(1.0, |nearness| open_share(*nearness, front))
+            };
+            let sum = strip_light(joints, fire, looks, flame.index(), pixel, open);
             if less(0.0, sum.x + sum.y + sum.z) {
                 let first = (y * light.width + x) as usize * 3;
                 for (channel, value) in sum.to_array().into_iter().enumerate() {

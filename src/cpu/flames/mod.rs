@@ -13,7 +13,7 @@ use rayon::prelude::*;
 
 use crate::backend::{BackendError, try_zeroed};
 use crate::cpu::draw::flame_discs::flame_discs;
-use crate::cpu::draw::glow::glow;
+use crate::cpu::draw::glow::{Onto, glow};
 use crate::cpu::draw::strip_joints::strip_joints;
 use crate::cpu::draw::strips::strips;
 use crate::cpu::light::LightSums;
@@ -143,27 +143,43 @@ impl Flames {
     }
 
     /// The light of all passes, of which that of no details is at hand.
-    pub(super) fn glow(&mut self, inputs: &FrameInputs, light: &LightSums) {
-        self.glow_of_pass(light);
+    pub(super) fn glow(&mut self, inputs: &FrameInputs, light: &LightSums, nearness: &[[u32; 4]]) {
+        let onto = Onto {
+            frame: &inputs.frame,
+            light,
+            nearness,
+        };
+        self.glow_of_pass(onto);
         for at in 0..self.detail_passes {
             self.discs(inputs, DetailPass::nth(at));
-            self.glow_of_pass(light);
+            self.glow_of_pass(onto);
         }
     }
 
-    fn glow_of_pass(&self, light: &LightSums) {
+    fn glow_of_pass(&self, onto: Onto<'_>) {
         let discs = self.discs.par_chunks(STEPS);
         discs
+            .zip(self.steps.par_chunks(STEPS))
             .zip(&self.bounds)
             .enumerate()
-            .for_each(|(at, (discs, bounds))| {
+            .for_each(|(at, ((discs, steps), bounds))| {
                 let skews = self.skews.chunks(STEPS).nth(at).unwrap_or(&[]);
-                glow(discs, skews, *bounds, light);
+                glow(discs, steps, skews, *bounds, onto);
             });
     }
 
     /// The light of strips.
-    pub(super) fn strips(&mut self, inputs: &FrameInputs, light: &LightSums) {
+    pub(super) fn strips(
+        &mut self,
+        inputs: &FrameInputs,
+        light: &LightSums,
+        nearness: &[[u32; 4]],
+    ) {
+        let onto = Onto {
+            frame: &inputs.frame,
+            light,
+            nearness,
+        };
         self.joints
             .par_chunks_mut(STEPS)
             .zip(self.steps.par_chunks(STEPS))
@@ -171,7 +187,7 @@ impl Flames {
             .zip(&mut self.bounds)
             .for_each(|(((joints, steps), flame), bounds)| {
                 *bounds = strip_joints(inputs, flame, steps, joints);
-                strips(inputs, flame, joints, *bounds, light);
+                strips(inputs, flame, joints, *bounds, onto);
             });
     }
 }

@@ -67,6 +67,7 @@ pub(super) const SWITCHES: &[&str] = &[
     "CROWDS",
     "PLANET",
     "GROUND",
+    "SURFACES",
     "DETAILS",
     "SKEWS",
     "STRIPS",

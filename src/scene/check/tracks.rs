@@ -22,7 +22,12 @@ pub(in crate::scene) fn tracks(scene: &Scene, root: &Node) -> Result<(), SceneEr
         match tracks[0].owner {
             Owner::Camera => camera(tracks, &mut now, root)?,
             Owner::System(at) => system(tracks, at, &mut now, root)?,
-            Owner::Image | Owner::Flock(_) | Owner::Wind(_) | Owner::Lamp(_) | Owner::Fire(_) => {}
+            Owner::Image
+            | Owner::Flock(_)
+            | Owner::Wind(_)
+            | Owner::Lamp(_)
+            | Owner::Fire(_)
+            | Owner::Surface(_) => {}
         }
     }
     Ok(())

@@ -16,15 +16,15 @@ use self::wind::wind;
 use super::check;
 use super::files::Files;
 use super::read::{Reader, Spot};
-use super::schema::{CAMERA, GROUND, IMAGE, LAMP, LAYER, LIGHT, PILLAR, PLANET, SCENE};
+use super::schema::{CAMERA, GROUND, IMAGE, LAMP, LAYER, LIGHT, PILLAR, PLANET, SCENE, SURFACE};
 use super::set;
 use super::set::Set;
 use super::tracks;
 use super::tree::{self, Node, Source};
 use super::values::{Quantity, choice, list, text, whole, whole32};
 use super::{
-    Camera, Ground, Image, Lamp, Layer, Light, Pillar, Planet, Projection, Scene, SceneError,
-    ShutterWeighting,
+    Camera, Ground, Image, Lamp, Layer, Light, LitSurface, Pillar, Planet, Projection, Scene,
+    SceneError, ShutterWeighting,
 };
 
 /// A scene's text, read but not yet checked, so that values can be changed.
@@ -102,6 +102,7 @@ fn scene(root: &Node, name: &str, files: &Files) -> Result<Scene, SceneError> {
         lamps: table.must("lamp", |spot| list(spot, lamp))?,
         ground: table.may("ground", ground)?,
         pillars: table.must("pillar", |spot| list(spot, pillar))?,
+        surfaces: table.must("surface", |spot| list(spot, |_, spot| surface(spot, files)))?,
         winds: table.must("wind", |spot| list(spot, wind))?,
         layers: table.must("layer", |spot| list(spot, layer))?,
         tracks: Vec::new(),
@@ -190,6 +191,18 @@ fn pillar(_: usize, spot: &Spot<'_>) -> Result<Pillar, SceneError> {
         color: table.must("color", Quantity::read)?,
         translucence: table.must("translucence", Quantity::read)?,
         depth: table.must("depth", Quantity::read)?,
+    })
+}
+
+fn surface(spot: &Spot<'_>, files: &Files) -> Result<LitSurface, SceneError> {
+    let table = Reader::new(spot.path.clone(), SURFACE, spot.node)?;
+    Ok(LitSurface {
+        mesh: table.must("mesh", |spot| files.mesh(spot))?,
+        position: table.must("position", Quantity::read)?,
+        rotation_degrees: table.must("rotation_degrees", Quantity::read)?,
+        scale: table.must("scale", Quantity::read)?,
+        color: table.must("color", Quantity::read)?,
+        crease_degrees: table.must("crease_degrees", Quantity::read)?,
     })
 }
 

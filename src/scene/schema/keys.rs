@@ -25,11 +25,12 @@ pub const SCENE: &[Field] = &[
     optional("system", Kind::Tables { fields: SYSTEM, max: 1024 }, "[{ name = \"jet\", initial_mean_parts = 100, generation_shape = { kind = \"sphere\", radius = 1 }, speed = 0.1, lifetime = 60, color = [0.4, 0.1, 0.02], size = 0.02 }]", "", "the particle systems, one `[[system]]` each; a scene without a flock or a fire has at least one", "Reeves 2"),
     default("flock", Kind::Tables { fields: FLOCK, max: 64 }, "[]", "", "the flocks, one `[[flock]]` each", ""),
     default("fire", Kind::Tables { fields: FIRE, max: 64 }, "[]", "", "the fires, one `[[fire]]` each", "Perry 3.2"),
-    default("light", Kind::Table(LIGHT), "{}", "", "the light that the planet and the ground reflect, and particles which cover and are shaded", "Reeves 5"),
+    default("light", Kind::Table(LIGHT), "{}", "", "the light that the planet, the ground and surfaces reflect, and particles which cover and are shaded", "Reeves 5"),
     optional("planet", Kind::Table(PLANET), "{ radius = 10 }", "", "a ball with a surface: it hides what is behind it, and is lit", "Reeves 3"),
-    default("lamp", Kind::Tables { fields: LAMP, max: 16 }, "[]", "", "lights near the planet and the ground, one `[[lamp]]` each", "Reeves 3"),
+    default("lamp", Kind::Tables { fields: LAMP, max: 16 }, "[]", "", "lights near the planet, the ground and surfaces, one `[[lamp]]` each", "Reeves 3"),
     optional("ground", Kind::Table(GROUND), "{ radius = 10 }", "", "a plane behind everything that light falls on, that of flames too", "Perry 3.2.4"),
     default("pillar", Kind::Tables { fields: PILLAR, max: 16 }, "[]", "", "upright cylinders on it, such as candles, one `[[pillar]]` each", "Perry 3.2.4"),
+    default("surface", Kind::Tables { fields: SURFACE, max: 64 }, "[]", "", "meshes that are seen, one `[[surface]]` each: they hide what is behind them, and are lit", "Reeves 3"),
     default("wind", Kind::List { variants: WINDS, max: 16 }, "[]", "", "the parts of the wind, one `[[wind]]` each: it is their sum, and drag makes particles follow it", "Perry 3.2.3"),
     default("layer", Kind::Tables { fields: LAYER, max: 8 }, "[]", "", "planes that split the picture into layers, one `[[layer]]` each", "Reeves 2.5"),
 ];
@@ -86,6 +87,17 @@ pub const PILLAR: &[Field] = &[
     default("color", numbers(3, 0.0, 1.0), "[0.3, 0.3, 0.3]", "red, green, blue", "the part of the light that it reflects", "Perry 3.2.4"),
     default("translucence", numbers(1, 0.0, 100.0), "0", "a share of the light", "what of the light of flames it lets through to its surface, as wax does", ""),
     default("depth", numbers(1, 1e-3, 1e4), "0.3", "world units", "how far that light comes", ""),
+];
+
+/// Keys of each `[[surface]]`.
+#[rustfmt::skip] // one row a line
+pub const SURFACE: &[Field] = &[
+    required("mesh", text(1000, false), "\"torus\"", "", "a file in the scene's folder that ends in .obj, .ply, .gltf or .glb; or cube, cylinder, plane, sphere or torus, which need none", ""),
+    keyed(default("position", PLACE, "[0, 0, 0]", "world units", "where its origin is", "")),
+    keyed(default("rotation_degrees", numbers(2, -36_000.0, 36_000.0), "[0, 0]", "degrees", "turns about x, then about y", "")),
+    keyed(default("scale", numbers(1, 0.0, 1e3), "1", "world units", "what a unit of the mesh's coordinates becomes", "")),
+    keyed(default("color", numbers(3, 0.0, 1.0), "[0.3, 0.3, 0.3]", "red, green, blue", "the part of the light that it reflects", "Reeves 3")),
+    default("crease_degrees", numbers(1, 0.0, 180.0), "40", "degrees", "triangles that meet at less than this angle look as one curved surface", ""),
 ];
 
 /// Keys of each `[[lamp]]`.

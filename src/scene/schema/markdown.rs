@@ -4,8 +4,8 @@ use super::json::sentence;
 use super::{
     BURST, CAMERA, CHAR, EDGES, EXTINCTIONS, FIRE, FLAME, FLOCK, FORMULA, Field, GENERATION_SHAPES,
     GOAL, GROUND, IGNITION, IMAGE, INHERIT, Kind, LAMP, LAYER, LIGHT, LINE, Limits, OBSTACLES,
-    PILLAR, PLANET, Presence, RAMP, REGION, RELATIONS, ROOTS, SCENE, SPREAD, SYSTEM, Variant,
-    WINDS, parent_of,
+    PILLAR, PLANET, Presence, RAMP, REGION, RELATIONS, ROOTS, SCENE, SPREAD, SURFACE, SYSTEM,
+    Variant, WINDS, parent_of,
 };
 use crate::scene::expect::{digits, range};
 
@@ -19,7 +19,7 @@ const CAN_CHANGE: &str = " ◆";
 #[must_use]
 pub fn reference_page() -> String {
     let mut page = INTRODUCTION.to_owned();
-    let tables: [(&str, &str, &[Field]); 9] = [
+    let tables: [(&str, &str, &[Field]); 10] = [
         ("Top of the file", "Above the first header.", SCENE),
         (
             "`[image]`",
@@ -29,13 +29,13 @@ pub fn reference_page() -> String {
         ("`[camera]`", "The viewer.", CAMERA),
         (
             "`[light]`",
-            "What the planet and the ground reflect, and particles that cover and are shaded.",
+            "What the planet, the ground and surfaces reflect, and particles that cover and are shaded.",
             LIGHT,
         ),
         ("`[planet]`", "A ball with a surface, at most one.", PLANET),
         (
             "`[[lamp]]`",
-            "A light near the planet and the ground, as many as you like.",
+            "A light near the planet, the ground and surfaces, as many as you like.",
             LAMP,
         ),
         (
@@ -47,6 +47,11 @@ pub fn reference_page() -> String {
             "`[[pillar]]`",
             "An upright cylinder before the ground, as many as you like.",
             PILLAR,
+        ),
+        (
+            "`[[surface]]`",
+            "A mesh that is seen, as many as you like. The camera is in perspective.",
+            SURFACE,
         ),
         (
             "`[[system]]`",

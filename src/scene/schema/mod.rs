@@ -16,7 +16,8 @@ pub use fires::{FIRE, FLAME, RAMP, ROOTS};
 pub use flocks::{EDGES, FLOCK, GOAL, OBSTACLES, REGION, RELATIONS};
 pub use json::json_schema;
 pub use keys::{
-    BURST, CAMERA, GROUND, IMAGE, INHERIT, LAMP, LAYER, LIGHT, PILLAR, PLANET, SCENE, SYSTEM,
+    BURST, CAMERA, GROUND, IMAGE, INHERIT, LAMP, LAYER, LIGHT, PILLAR, PLANET, SCENE, SURFACE,
+    SYSTEM,
 };
 pub use kinds::{EXTINCTIONS, GENERATION_SHAPES, WINDS};
 pub use markdown::reference_page;

@@ -55,6 +55,8 @@ pub enum Owner {
     Lamp(usize),
     /// One of [`Scene::fires`].
     Fire(usize),
+    /// One of [`Scene::surfaces`].
+    Surface(usize),
 }
 
 /// A value that changes with the frame.

@@ -33,6 +33,16 @@ pub(super) fn numbers_of<'a>(
                 _ => return None,
             }
         }
+        Owner::Surface(at) => {
+            let surface = scene.surfaces.get_mut(at)?;
+            match key {
+                "position" => &mut surface.position,
+                "rotation_degrees" => &mut surface.rotation_degrees,
+                "scale" => one(&mut surface.scale),
+                "color" => &mut surface.color,
+                _ => return None,
+            }
+        }
         Owner::Flock(at) => return flock_numbers(scene.flocks.get_mut(at)?, key),
         Owner::Wind(at) => return wind_numbers(scene.winds.get_mut(at)?, key),
         Owner::Fire(at) => return fire_numbers(scene.fires.get_mut(at)?, key),

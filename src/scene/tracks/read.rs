@@ -3,7 +3,7 @@
 use super::form::{is_animated, pairs};
 use super::places::numbers_of;
 use super::{Interpolation, Key, Owner, Track};
-use crate::scene::schema::{CAMERA, FIRE, FLOCK, Field, IMAGE, Kind, LAMP, SYSTEM, WINDS};
+use crate::scene::schema::{CAMERA, FIRE, FLOCK, Field, IMAGE, Kind, LAMP, SURFACE, SYSTEM, WINDS};
 use crate::scene::tree::{Node, Value};
 use crate::scene::{Scene, SceneError};
 
@@ -37,6 +37,7 @@ pub(in crate::scene) fn collect(root: &Node, scene: &mut Scene) -> Result<(), Sc
                         "wind" => Some(Owner::Wind(at)),
                         "lamp" => Some(Owner::Lamp(at)),
                         "fire" => Some(Owner::Fire(at)),
+                        "surface" => Some(Owner::Surface(at)),
                         _ => None,
                     };
                     let name = match (kind, node.entry("name")) {
@@ -175,6 +176,7 @@ fn able(owner: Owner, scene: &Scene) -> Vec<String> {
         Owner::Camera => CAMERA.iter().collect(),
         Owner::Wind(_) => WINDS.iter().flat_map(|wind| wind.fields).collect(),
         Owner::Lamp(_) => LAMP.iter().collect(),
+        Owner::Surface(_) => SURFACE.iter().collect(),
         Owner::System(_) => SYSTEM.iter().collect(),
         Owner::Fire(_) => FIRE.iter().collect(),
         Owner::Flock(_) => FLOCK.iter().collect(),

@@ -1,0 +1,195 @@
+// surface: the triangles that are seen in a pixel, lit.
+//
+// Reeves 1983, section 3, and Perry 1994, 3.2.4: surfaces reflect light from far away, from lamps and
+// from flames, as Lambert has it. A triangle is lit once a pixel, in the middle of its samples; its
+// normal is between those of its corners. Samples behind a planet, a ground or a pillar are of none,
+// and hide nothing.
+// One invocation a pixel. Reads: frame, surfaces, surface_corners, surface_light, lamps, flame_lights,
+// pillars. Reads and writes: surface_nearness, surface_faces (0 where nothing shows). Writes:
+// surface_pixels (red, green, blue, and what shows of what is behind, as bits).
+// Invariant: a pixel depends on its samples, the frame and the lights alone.
+
+#import motes::dispatch::linear_index
+#import motes::exact::{
+    at_least_zero, bits_of, clamp_unit, cross3, dot3, f32_of_u32, inverse_square_root, less,
+    normalize_exact, reciprocal, square_root,
+}
+#import motes::layout::{FlameLight, Frame, Lamp, Pillar, SurfaceFrame, SurfaceLight}
+#import motes::pillar::{meeting, passed}
+#import motes::raster::{normal_of, rows_times, samples_down, samples_right}
+
+const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
+// Whether there is a planet, a ground or a pillar.
+const PLANET: bool = #{PLANET};
+const GROUND: bool = #{GROUND};
+// A ground or a pillar that covers more of its pixel hides.
+const HIDES: f32 = 0.5f;
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+@group(0) @binding(1) var<storage, read> surfaces: array<SurfaceFrame>;
+@group(0) @binding(2) var<storage, read> surface_corners: array<vec4<u32>>;
+@group(0) @binding(3) var<uniform> surface_light: SurfaceLight;
+@group(0) @binding(4) var<storage, read> lamps: array<Lamp>;
+@group(0) @binding(5) var<storage, read> flame_lights: array<FlameLight>;
+@group(0) @binding(6) var<storage, read> pillars: array<Pillar>;
+@group(0) @binding(7) var<storage, read_write> surface_nearness: array<vec4<u32>>;
+@group(0) @binding(8) var<storage, read_write> surface_faces: array<vec4<u32>>;
+@group(0) @binding(9) var<storage, read_write> surface_pixels: array<vec4<u32>>;
+
+// The way from the eye through a place in the picture, as far as depth 1.
+fn way_through(right: f32, up: f32) -> vec3<f32> {
+    let share = reciprocal(frame.focal_px);
+    return frame.view_from_world_z.xyz
+        + frame.view_from_world_x.xyz * (right * share)
+        + frame.view_from_world_y.xyz * (up * share);
+}
+
+// Whether something that is no triangle is met before that depth.
+fn is_hidden(light: SurfaceLight, way: vec3<f32>, depth: f32) -> bool {
+    var hidden = false;
+    if PLANET && light.kinds.w != 0u {
+        let along = dot3(way, light.planet.xyz);
+        let squared = dot3(way, way);
+        let inside = along * along - squared * light.planet.w;
+        let far = (along - square_root(at_least_zero(inside))) * reciprocal(squared);
+        hidden = less(0.0f, inside) && less(0.0f, far) && less(far, depth);
+    }
+    if GROUND {
+        let far = -light.plane.w * reciprocal(dot3(way, light.plane.xyz));
+        let from_middle = light.eye.xyz + way * far - light.middle.xyz;
+        let near = at_least_zero(1.0f - dot3(from_middle, from_middle) * light.middle.w);
+        let is_met = less(0.0f, light.middle.w) && less(0.0f, far) && less(far, depth);
+        hidden = hidden || (is_met && less(HIDES, near * near));
+        let pixel = reciprocal(frame.focal_px);
+        for (var at = 0u; at < light.kinds.z; at += 1u) {
+            let met = meeting(pillars[at], light.eye.xyz, way, pixel);
+            hidden = hidden || (less(HIDES, met.covered) && less(met.far, depth));
+        }
+    }
+    return hidden;
+}
+
+// The light of a point light of that colour a unit away and that squared extent.
+fn from_point(light: SurfaceLight, place: vec3<f32>, normal: vec3<f32>, lamp: vec3<f32>, extent: f32) -> f32 {
+    let away = lamp - place;
+    let near = inverse_square_root(dot3(away, away) + extent);
+    var seen = at_least_zero(dot3(normal, away) * near) * near * near;
+    if GROUND {
+        for (var at = 0u; at < light.kinds.z; at += 1u) {
+            seen *= passed(pillars[at], place, lamp);
+        }
+    }
+    return seen;
+}
+
+fn light_on(light: SurfaceLight, place: vec3<f32>, normal: vec3<f32>) -> vec3<f32> {
+    let straight = at_least_zero(dot3(normal, light.light_from.xyz));
+    var sum = light.ambient.xyz + light.light_color.xyz * straight;
+    for (var at = 0u; at < light.kinds.x; at += 1u) {
+        let lamp = lamps[at];
+        let source = lamp.place.xyz + light.lamps_from.xyz;
+        sum += lamp.color.xyz * (lamp.place.w * from_point(light, place, normal, source, 0.0f));
+    }
+    for (var at = 0u; at < light.kinds.y; at += 1u) {
+        let flame = flame_lights[at];
+        let source = bitcast<vec4<f32>>(flame.place);
+        let color = bitcast<vec3<f32>>(flame.color.xyz);
+        sum += color * from_point(light, place, normal, source.xyz, source.w);
+    }
+    return sum;
+}
+
+// The surface that a triangle is of.
+fn surface_of(light: SurfaceLight, face: u32) -> u32 {
+    var surface = 0u;
+    while surface + 1u < light.counts.x && surfaces[surface + 1u].faces.z <= face {
+        surface += 1u;
+    }
+    return surface;
+}
+
+fn turned(surface: SurfaceFrame, v: vec3<f32>) -> vec3<f32> {
+    return vec3<f32>(
+        dot3(surface.world_from_mesh_x.xyz, v),
+        dot3(surface.world_from_mesh_y.xyz, v),
+        dot3(surface.world_from_mesh_z.xyz, v),
+    );
+}
+
+// What a triangle sends back from where the way ends on it.
+fn shaded(light: SurfaceLight, face: u32, way: vec3<f32>, depth: f32) -> vec3<f32> {
+    let surface = surfaces[surface_of(light, face)];
+    let corner = (surface.faces.x + face - surface.faces.z) * 3u;
+    let a_words = surface_corners[corner];
+    let b_words = surface_corners[corner + 1u];
+    let c_words = surface_corners[corner + 2u];
+    let a = bitcast<vec3<f32>>(a_words.xyz);
+    let place = light.eye.xyz + way * depth;
+    // Lengths as parts of an edge's, in which nothing is too small.
+    let edge_b = turned(surface, bitcast<vec3<f32>>(b_words.xyz) - a);
+    let edge_c = turned(surface, bitcast<vec3<f32>>(c_words.xyz) - a);
+    let part = inverse_square_root(dot3(edge_b, edge_b));
+    let to_b = edge_b * part;
+    let to_c = edge_c * part;
+    let world_a = rows_times(
+        surface.world_from_mesh_x, surface.world_from_mesh_y, surface.world_from_mesh_z, a,
+    );
+    let to_place = (place - world_a) * part;
+    let across = cross3(to_b, to_c);
+    let inverse = reciprocal(dot3(across, across));
+    let of_b = clamp_unit(dot3(cross3(to_place, to_c), across) * inverse);
+    let of_c = clamp_unit(dot3(cross3(to_b, to_place), across) * inverse);
+    let of_a = at_least_zero(1.0f - of_b - of_c);
+    let own = normal_of(a_words.w) * of_a + normal_of(b_words.w) * of_b + normal_of(c_words.w) * of_c;
+    let front = normalize_exact(turned(surface, own));
+    let normal = select(front, -front, less(0.0f, dot3(across, way)));
+    return surface.color.xyz * light_on(light, place, normal);
+}
+
+@compute @workgroup_size(WORKGROUP_SIZE)
+fn surface(@builtin(global_invocation_id) global_id: vec3<u32>) {
+    let light = surface_light;
+    let pixel = linear_index(global_id, WORKGROUP_SIZE);
+    if pixel >= frame.width * frame.height {
+        return;
+    }
+    var faces = surface_faces[pixel];
+    var nearness = surface_nearness[pixel];
+    let rights = f32_of_u32(pixel % frame.width) - frame.center_x_px + samples_right();
+    let ups = frame.center_y_px - f32_of_u32(pixel / frame.width) - samples_down();
+    var left = 0u;
+    for (var sample = 0u; sample < 4u; sample += 1u) {
+        if faces[sample] != 0u {
+            let way = way_through(rights[sample], ups[sample]);
+            let depth = reciprocal(bitcast<f32>(nearness[sample]));
+            let hidden = is_hidden(light, way, depth);
+            faces[sample] = select(faces[sample], 0u, hidden);
+            nearness[sample] = select(nearness[sample], 0u, hidden);
+            left |= select(1u << sample, 0u, hidden);
+        }
+    }
+    surface_faces[pixel] = faces;
+    surface_nearness[pixel] = nearness;
+    let clear = 1.0f - f32_of_u32(countOneBits(left)) * 0.25f;
+    var sum = vec3<f32>(0.0f);
+    while left != 0u {
+        let face = faces[firstTrailingBit(left)];
+        var count = 0.0f;
+        var right = 0.0f;
+        var up = 0.0f;
+        var near = 0.0f;
+        for (var sample = 0u; sample < 4u; sample += 1u) {
+            if faces[sample] == face {
+                count += 1.0f;
+                right += rights[sample];
+                up += ups[sample];
+                near += bitcast<f32>(nearness[sample]);
+                left &= ~(1u << sample);
+            }
+        }
+        let share = reciprocal(count);
+        let way = way_through(right * share, up * share);
+        sum += shaded(light, face - 1u, way, reciprocal(near * share)) * (count * 0.25f);
+    }
+    surface_pixels[pixel] = vec4<u32>(bits_of(sum.x), bits_of(sum.y), bits_of(sum.z), bits_of(clear));
+}
