@@ -23,6 +23,7 @@ pub mod pillar;
 pub mod projection;
 pub mod reach;
 pub mod shape;
+pub mod solid;
 pub mod spread;
 pub(crate) mod sprite;
 pub mod steering;

@@ -247,7 +247,7 @@ fn usage_of(name: &str) -> wgpu::BufferUsages {
     let role = crate::plan::buffer(name).map(|declared| declared.role);
     let kind = match (name, role) {
         ("frame", _) => Usage::UNIFORM | Usage::COPY_DST,
-        ("spread_counts", _) => Usage::UNIFORM | Usage::STORAGE | Usage::COPY_DST,
+        ("spread_counts" | "winds", _) => Usage::UNIFORM | Usage::STORAGE | Usage::COPY_DST,
         // Vertices, for callers who draw particles themselves.
         ("particles", _) => Usage::STORAGE | Usage::VERTEX | Usage::COPY_DST,
         ("dispatches", _) => Usage::STORAGE | Usage::INDIRECT | Usage::COPY_DST,

@@ -17,6 +17,7 @@ impl GpuBackend {
             ("curve_points", bytemuck::cast_slice(&self.curve_points)),
             ("mesh_faces", bytemuck::cast_slice(&self.meshes.faces)),
             ("mesh_choices", bytemuck::cast_slice(&self.meshes.choices)),
+            ("solid_faces", bytemuck::cast_slice(&self.solids.rows)),
             ("spread_faces", bytemuck::cast_slice(&self.spreads.faces)),
             ("spread_edges", bytemuck::cast_slice(&self.spreads.edges)),
             (

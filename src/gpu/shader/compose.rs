@@ -78,6 +78,7 @@ pub(super) const SWITCHES: &[&str] = &[
     "NEAREST",
     "GOALS",
     "OBSTACLES",
+    "SOLIDS",
     "BLOWN",
 ];
 

@@ -55,6 +55,7 @@ pub static LIBRARIES: &[Source] = sources![
     "lib/boid",
     "lib/steering",
     "lib/urge",
+    "lib/solid",
     "lib/cover",
     "lib/shape",
     "lib/sort",

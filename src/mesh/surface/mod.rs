@@ -11,6 +11,7 @@
 
 mod features;
 mod joined;
+mod solid;
 mod vectors;
 
 use super::{Mesh, MeshError};
