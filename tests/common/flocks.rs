@@ -94,7 +94,7 @@ pub(crate) fn driven_flocks() -> Scene {
              stay = \"inside\"\nlimit = 2\n"
         ),
         format!(
-            "name = \"caged\"\ncount = 60\ndimensions = 3\nregion = {{ {box_of} }}\nmax_speed = 9\n\
+            "name = \"caged\"\ncount = 60\ndimensions = 3\nregion = {{ {box_of} }}\nmax_speed = 9\ntrail_frames = 1\n\
              [[flock.obstacle]]\nkind = \"mesh\"\nmesh = \"cube\"\nposition = [220, 140, -20]\n\
              scale = 30\nstay = \"inside\"\nlimit = 3\n\
              [[flock.obstacle]]\nkind = \"mesh\"\nmesh = \"cylinder\"\nposition = [235, 140, -20]\n\
