@@ -486,6 +486,7 @@ fn constants_agree_bit_for_bit() {
         motes::cpu::boid::CONSTANTS,
         motes::cpu::grid::CONSTANTS,
         motes::cpu::steering::CONSTANTS,
+        motes::cpu::solid::CONSTANTS,
     ]
     .concat()
     .into_iter()

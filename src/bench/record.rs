@@ -81,6 +81,10 @@ pub struct Run {
     /// Births that did not fit while it was measured.
     #[serde(default)]
     pub dropped: u64,
+    /// How many of their own flock the boids saw, all together, in the last frame: those within its
+    /// `perception_radius`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub neighbour_reads: Option<u64>,
     /// Pixels across and down.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub image_px: Option<[u32; 2]>,
@@ -242,6 +246,13 @@ impl Run {
         let dispatches = self.passes.iter().map(|pass| pass.dispatches.unwrap_or(1));
         let dispatches = dispatches.sum();
         Some((price * f64::from(dispatches), dispatches))
+    }
+
+    /// Neighbours that boids see a second of the steps alone; `None` where there are none, or a step took no
+    /// time.
+    pub fn neighbour_reads_per_s(&self) -> Option<f64> {
+        let reads = self.neighbour_reads? as f64;
+        (self.step_ms.median > 0.0).then(|| reads / self.step_ms.median * 1e3)
     }
 
     /// Live particles a second; `None` where the frame took no time.

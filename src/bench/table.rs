@@ -135,6 +135,7 @@ pub fn run_table(record: &Record, run: &Run) -> String {
             digits(ms)
         );
     }
+    text += &flocking(run);
     text += &facts(run);
     text + &warnings(&remarks::of_run(run))
 }
@@ -150,6 +151,21 @@ pub(super) fn title(run: &Run) -> String {
     };
     let (scene, particles, frames) = (&run.scene, grouped(run.particles), run.frames);
     format!("{scene} at {particles} particles{size}, {frames} frames{warm}")
+}
+
+/// What boids see and how fast.
+fn flocking(run: &Run) -> String {
+    let (Some(reads), Some(rate)) = (run.neighbour_reads, run.neighbour_reads_per_s()) else {
+        return String::new();
+    };
+    let live = run.live.unwrap_or(run.particles) as f64;
+    let line = format!(
+        "{} neighbours a boid; of the step {} boids/s and {} neighbours/s",
+        digits(reads as f64 / live.max(1.0)),
+        prefixed(live / run.step_ms.median * 1e3),
+        prefixed(rate)
+    );
+    shortened(&line, COLUMNS) + "\n"
 }
 
 /// Rates and memory of a run.

@@ -8,8 +8,9 @@ use super::record::{Measure, Part, Run};
 use super::run::Taken;
 use super::spread::{Clock, Spread, percentile};
 use super::steady::strays;
-use crate::layout::FrameStats;
+use crate::layout::{Boid, FrameStats};
 use crate::plan::Plan;
+use crate::simulation::FlockMetrics;
 
 /// How far the living may be from those asked for, or stray while they are measured.
 const MOST_DEVIATION: f64 = 0.02;
@@ -80,6 +81,7 @@ pub(super) fn told(
         draw_ms: part(Part::Draw),
         wall_ms: Some(Spread::new(walls.collect(), Clock::Wall)),
         cpu_seconds: taken.cpu_seconds,
+        neighbour_reads: neighbour_reads(plan, lane)?,
         gpu_memory_bytes: lane.device_bytes(),
         copy_kernel_gb_per_s: rates.kernel,
         copy_in_cache_gb_per_s: rates.near,
@@ -92,6 +94,23 @@ pub(super) fn told(
     run.warnings = warnings(&run, &counts, job.particles);
     run.warnings.extend(budget.warning(&taken.frame_ms));
     Ok(run)
+}
+
+/// How many boids of flocks alone see of their own flock, where they look at anybody.
+fn neighbour_reads(plan: &Plan, lane: &mut Lane) -> Result<Option<u64>, BenchError> {
+    if plan.boid_count == 0 || plan.system_count > 0 {
+        return Ok(None);
+    }
+    let words = lane.backend().read("boids")?;
+    let boids: &[Boid] = bytemuck::cast_slice(&words);
+    let inputs = plan.inputs(0);
+    let flocks = inputs.flocks.iter().filter(|flock| flock.ties[1] > 0);
+    let seen = flocks.map(|flock| {
+        let [first, count, ..] = flock.members.map(|word| word as usize);
+        let metrics = FlockMetrics::of(flock, &boids[first..first + count]);
+        (metrics.mean_neighbours * f64::from(metrics.count)).round() as u64
+    });
+    Ok(Some(seen.sum()))
 }
 
 /// All passes that any of the frames had, in the order of the longest, each as it was there first.

@@ -26,6 +26,7 @@ pub mod projection;
 pub mod raster;
 pub mod reach;
 pub mod shape;
+pub mod solid;
 pub mod spread;
 pub(crate) mod sprite;
 pub mod steering;

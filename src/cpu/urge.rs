@@ -5,11 +5,12 @@ use glam::Vec3;
 
 use crate::cpu::boid::Motion;
 use crate::cpu::grid::nearest_way;
+use crate::cpu::solid::surface_of_mesh;
 use crate::cpu::steering::steering;
 use crate::exact::{
     clamp_unit, dot3, inverse_square_root, less, less_equal, max3, min_exact, square_root,
 };
-use crate::layout::{FlockFrame, OBSTACLE_PLANE, OBSTACLE_SPHERE, Obstacle};
+use crate::layout::{FlockFrame, OBSTACLE_MESH, OBSTACLE_PLANE, OBSTACLE_SPHERE, Obstacle};
 
 /// What a boid accelerates by to get to its flock's goal; on a torus, by the nearest way.
 #[inline]
@@ -41,13 +42,13 @@ pub struct Surface {
 }
 
 #[inline]
-fn sign_of(x: f32) -> f32 {
+pub(super) fn sign_of(x: f32) -> f32 {
     if less(x, 0.0) { -1.0 } else { 1.0 }
 }
 
 /// Of a ball, from outside; from its very middle along x.
 #[inline]
-fn sphere_surface(from_center: Vec3, radius: f32) -> Surface {
+pub(super) fn sphere_surface(from_center: Vec3, radius: f32) -> Surface {
     let squared = dot3(from_center, from_center);
     let normal = if less(0.0, squared) {
         from_center * Vec3::splat(inverse_square_root(squared))
@@ -84,9 +85,9 @@ fn box_surface(from_center: Vec3, half: Vec3) -> Surface {
     Surface { normal, distance }
 }
 
-/// Where the surface of an obstacle is from a place.
+/// Where the surface of an obstacle is from a place; `solid_faces` are the stored rows of all meshes.
 #[inline]
-pub fn surface_of(obstacle: &Obstacle, position: Vec3) -> Surface {
+pub fn surface_of(obstacle: &Obstacle, solid_faces: &[[f32; 4]], position: Vec3) -> Surface {
     let place = Vec3::from_slice(&obstacle.place);
     let [kind, keeps_inside, ..] = obstacle.kinds;
     let surface = match kind {
@@ -97,6 +98,7 @@ pub fn surface_of(obstacle: &Obstacle, position: Vec3) -> Surface {
             };
         }
         OBSTACLE_SPHERE => sphere_surface(position - place, obstacle.place[3]),
+        OBSTACLE_MESH => surface_of_mesh(obstacle, solid_faces, position),
         _ => box_surface(position - place, Vec3::from_slice(&obstacle.extent)),
     };
     if keeps_inside == 1 {
@@ -110,16 +112,14 @@ pub fn surface_of(obstacle: &Obstacle, position: Vec3) -> Surface {
 
 /// What a boid accelerates by to turn away: nothing beyond the margin, the more the nearer.
 #[inline]
-pub fn turned_away(obstacle: &Obstacle, position: Vec3) -> Vec3 {
-    let surface = surface_of(obstacle, position);
+pub fn turned_away(obstacle: &Obstacle, surface: &Surface) -> Vec3 {
     let nearness = clamp_unit(1.0 - surface.distance * obstacle.push[0]);
     surface.normal * Vec3::splat(obstacle.push[1] * nearness)
 }
 
 /// Who would be inside is put on the surface, and goes on along it.
 #[inline]
-pub fn kept_out(obstacle: &Obstacle, motion: Motion) -> Motion {
-    let surface = surface_of(obstacle, motion.position);
+pub fn kept_out(surface: &Surface, motion: Motion) -> Motion {
     if !less(surface.distance, 0.0) {
         return motion;
     }

@@ -39,7 +39,8 @@ use std::sync::Arc;
 use crate::backend::{Backend, BackendError, Living, StageRecord};
 use crate::layout::FrameStats;
 use crate::plan::{
-    FrameInputs, MeshTables, Plan, Population, STAGES, SpreadTables, Stage, SurfaceTables,
+    FrameInputs, MeshTables, Plan, Population, STAGES, SolidTables, SpreadTables, Stage,
+    SurfaceTables,
 };
 use commands::Command;
 use kernel::Kernel;
@@ -82,6 +83,7 @@ pub struct GpuBackend {
     row_count: u32,
     curve_points: Vec<[f32; 4]>,
     meshes: Arc<MeshTables>,
+    solids: Arc<SolidTables>,
     boid_count: u32,
     boid_trail_count: u32,
     flame_count: u32,
@@ -216,6 +218,7 @@ impl GpuBackend {
             row_count: plan.row_count,
             curve_points: plan.curve_points.clone(),
             meshes: Arc::clone(&plan.meshes),
+            solids: Arc::clone(&plan.solids),
             boid_count: plan.boid_count,
             boid_trail_count: plan.boid_trail_count,
             flame_count: plan.flame_count,

@@ -21,6 +21,7 @@ impl GpuBackend {
                 "surface_corners",
                 bytemuck::cast_slice(&self.surfaces.corners),
             ),
+            ("solid_faces", bytemuck::cast_slice(&self.solids.rows)),
             ("spread_faces", bytemuck::cast_slice(&self.spreads.faces)),
             ("spread_edges", bytemuck::cast_slice(&self.spreads.edges)),
             (

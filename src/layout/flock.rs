@@ -59,6 +59,8 @@ shared_constants! {
     pub const RELATION_AVOID: u32 = 1;
     /// Be pulled by each of them.
     pub const RELATION_APPROACH: u32 = 2;
+    /// Parts of the wind, at most.
+    pub const MOST_WINDS: u32 = 16;
     /// [`Relation::kinds`]`[3]` at most.
     pub const MOST_NEAREST: u32 = 16;
     /// [`Obstacle::kinds`]`[0]`: a ball.
@@ -67,6 +69,11 @@ shared_constants! {
     pub const OBSTACLE_PLANE: u32 = 1;
     /// A box along the axes.
     pub const OBSTACLE_BOX: u32 = 2;
+    /// What a mesh encloses.
+    pub const OBSTACLE_MESH: u32 = 3;
+    /// Rows of `solid_faces` a face: a corner and the edges to the next and the last one, in the
+    /// ball around the mesh as if that were of radius 1; normals of the face, of its edges and of its corners.
+    pub const ROWS_A_SOLID_FACE: u32 = 10;
     /// Steps of a sum over neighbours in its unit, which no term exceeds: 2^29.
     pub const SUM_STEPS: f32 = 536_870_912.0;
     /// [`FlockFrame::ties`]`[3]`: a triangle along the heading.
@@ -152,12 +159,13 @@ pub struct Relation {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct Obstacle {
-    /// Kind (`OBSTACLE_` constants); 1 if boids stay inside; the others unused.
+    /// Kind (`OBSTACLE_` constants); 1 if boids stay inside; of a mesh, its first stored face and how
+    /// many.
     pub kinds: [u32; 4],
-    /// Of a ball its centre and radius, of a plane its unit normal and the distance along it, of a box
-    /// its centre.
+    /// Of a ball its centre and radius, of a mesh those of the ball around it, of a plane its unit
+    /// normal and the distance along it, of a box its centre.
     pub place: [f32; 4],
-    /// Half the extents of a box.
+    /// Half the extents of a box; of a mesh, the inverse of the ball's radius in x.
     pub extent: [f32; 4],
     /// The inverse of the margin where boids turn away, most that they accelerate; the others unused.
     pub push: [f32; 4],

@@ -4,9 +4,9 @@ use super::Plan;
 use crate::layout::{
     AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, DroppedFlame, FLAME_LIGHTS, FLAME_STEPS,
     FireFrame, Flame, FlameDisc, FlameLight, FlockFrame, Frame, FrameStats, Ground, Ignition, Lamp,
-    ListedFlame, Node, Obstacle, Particle, Pillar, Planet, Pose, Relation, SpreadCounts,
-    SpreadEdge, SpreadFace, SpreadFeature, SpreadFrame, SpreadPoint, StripJoint, SurfaceFrame,
-    SurfaceLight, SystemFrame, SystemRow, Walker, Wind,
+    ListedFlame, Node, Obstacle, Particle, Pillar, Planet, Pose, ROWS_A_SOLID_FACE, Relation,
+    SpreadCounts, SpreadEdge, SpreadFace, SpreadFeature, SpreadFrame, SpreadPoint, StripJoint,
+    SurfaceFrame, SurfaceLight, SystemFrame, SystemRow, Walker, Wind,
 };
 
 /// What a buffer is for.
@@ -50,6 +50,8 @@ pub enum Count {
     CurvePoints,
     /// So many for each stored face of a mesh.
     MeshFaces(u32),
+    /// So many for each stored face of a mesh that boids stay out of.
+    SolidFaces(u32),
     /// One for every so many particles of the capacity; the last may stand for fewer.
     ParticlesOver(u32),
     /// One a flock.
@@ -370,6 +372,13 @@ pub static BUFFERS: &[Buffer] = {
             size_of::<Obstacle>(),
             Count::Fixed(Plan::MOST_OBSTACLES),
         ),
+        buffer_of(
+            "solid_faces",
+            Input,
+            "vec4<f32>",
+            16,
+            Count::SolidFaces(ROWS_A_SOLID_FACE),
+        ),
         buffer_of("boids", State, "Boid", size_of::<Boid>(), Count::Boids),
         buffer_of("boid_trails", State, "vec4<u32>", 16, Count::BoidTrails),
         buffer_of("boid_cells", State, "u32", 4, Count::Boids),
@@ -601,6 +610,7 @@ impl Buffer {
             Count::Borne => plan.system_count - plan.own_system_count,
             Count::CurvePoints => plan.curve_points.len() as u32,
             Count::MeshFaces(each) => plan.meshes.choices.len() as u32 * each,
+            Count::SolidFaces(each) => plan.solids.face_count() * each,
             Count::Rows => plan.system_count * plan.row_count,
             Count::ParticlesOver(each) => plan.capacity.div_ceil(each),
             Count::Flocks => plan.flock_count,

@@ -1,6 +1,7 @@
 //! A flock's part of a frame: its edges, its grid, and what it makes of others.
 
 use super::PlanError;
+use super::solids::SolidTables;
 use super::system::name_key;
 use super::urges::{flattened, goal_of, obstacle_of, sight_of};
 use crate::exact::snap;
@@ -146,8 +147,20 @@ fn corners_of(edges: Edges) -> Option<Corners> {
     }
 }
 
-/// Whether a frame of the flocks comes to an end in bearable time.
+/// Whether a frame of the flocks comes to an end in bearable time, and boids without depth are kept from what
+/// has a cut with their plane that is told by numbers.
 pub(super) fn check_looks(scene: &Scene) -> Result<(), PlanError> {
+    for flock in &scene.flocks {
+        if flock.dimensions == Dimensions::Two && flock.solid_faces() > 0 {
+            return Err(PlanError {
+                message: format!(
+                    "an obstacle of `flock.{}` is a mesh, and the boids have no depth",
+                    flock.name
+                ),
+                help: "a flock with `dimensions = 3`, or a ball or a box instead".into(),
+            });
+        }
+    }
     let looks: f64 = scene
         .flocks
         .iter()
@@ -181,7 +194,9 @@ fn looks_of(scene: &Scene, flock: &Flock) -> f64 {
         };
         f64::from(other.count) * share(0) * share(1) * share(2)
     };
-    f64::from(flock.count) * flock.relations.iter().map(seen).sum::<f64>()
+    // Where it is and where it goes, each face is looked at.
+    let faces = 2.0 * f64::from(flock.solid_faces());
+    f64::from(flock.count) * (flock.relations.iter().map(seen).sum::<f64>() + faces)
 }
 
 /// Grid cells of all flocks.
@@ -195,6 +210,7 @@ pub(super) fn cell_count(scene: &Scene) -> u32 {
 pub(super) fn flocks_of(
     scene: &Scene,
     earlier: &Scene,
+    solids: &SolidTables,
 ) -> (
     Vec<FlockFrame>,
     Vec<layout::Relation>,
@@ -230,7 +246,8 @@ pub(super) fn flocks_of(
             ..frame
         });
         relations.extend(flock.relations.iter().map(|tie| relation(flock, tie)));
-        obstacles.extend(flock.obstacles.iter().map(|it| obstacle_of(flock, it)));
+        let kept_out = flock.obstacles.iter();
+        obstacles.extend(kept_out.map(|it| obstacle_of(flock, it, solids)));
         first_boid += flock.count;
         first_cover += records(flock);
         first_place += trail_places(flock);

@@ -119,7 +119,7 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
     };
     let winds = winds_of(&now, number);
     let layer_planes = layer_planes(&now);
-    let (flocks, relations, obstacles) = flocks_of(&now, &earlier);
+    let (flocks, relations, obstacles) = flocks_of(&now, &earlier, &plan.solids);
     let planets = planet_of(&now);
     let lamps = if planets.is_empty() && !has_ground(&now) && now.surfaces.is_empty() {
         Vec::new()

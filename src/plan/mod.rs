@@ -17,6 +17,7 @@ mod lights;
 mod meshes;
 mod planet;
 mod population;
+mod solids;
 mod spread;
 mod stages;
 mod surface;
@@ -32,6 +33,7 @@ pub use fire::DetailPass;
 pub use inputs::FrameInputs;
 pub use meshes::MeshTables;
 pub use population::Population;
+pub use solids::SolidTables;
 pub use spread::SpreadTables;
 pub use stages::{STAGES, Stage, StageInfo};
 pub use surface::SurfaceTables;
@@ -122,6 +124,8 @@ pub struct Plan {
     pub curve_points: Vec<[f32; 4]>,
     /// Faces of the meshes that particles are born on.
     pub meshes: Arc<MeshTables>,
+    /// Faces of the meshes that boids stay out of.
+    pub solids: Arc<SolidTables>,
     /// What fires spread over.
     pub spreads: Arc<SpreadTables>,
     /// Fires that spread.
@@ -146,7 +150,7 @@ impl Plan {
     /// Bounds of all systems together, at most.
     pub const MOST_BOUNDS: u32 = 4096;
     /// Parts of the wind, at most.
-    pub const MOST_WINDS: u32 = 16;
+    pub const MOST_WINDS: u32 = crate::layout::MOST_WINDS;
     /// Obstacles of all flocks together, at most.
     pub const MOST_OBSTACLES: u32 = 1024;
     /// Lights near the planet and the ground, at most.
@@ -247,6 +251,7 @@ impl Plan {
             first_frame,
             curve_points: curves::curve_points(&scenes),
             meshes: Arc::new(MeshTables::new(&scenes)?),
+            solids: Arc::new(SolidTables::new(&scenes)),
             spread_count: spread::spreads_of(scene).count() as u32,
             ring_count: spreads.ignitions.len() as u32,
             blocks: scenes.iter().any(|scene| {

@@ -222,6 +222,7 @@ pub static STAGES: &[StageInfo] = &[
             "flocks",
             "relations",
             "obstacles",
+            "solid_faces",
             "winds",
             "cell_starts",
             "sorted_boids",

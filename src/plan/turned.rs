@@ -70,6 +70,7 @@ impl Plan {
         plan.uses = self.uses;
         plan.first_frame = self.first_frame;
         plan.meshes = Arc::clone(&self.meshes);
+        plan.solids = Arc::clone(&self.solids);
         plan.spreads = Arc::clone(&self.spreads);
         plan.surfaces = Arc::clone(&self.surfaces);
         plan.blocks = self.blocks;
@@ -132,6 +133,12 @@ impl Plan {
         if !self.spreads.cover(&plan.spreads) {
             return refuse(
                 "lets edges count farther away than the run was begun for".into(),
+                begin_anew,
+            );
+        }
+        if !self.solids.cover(&plan.solids) {
+            return refuse(
+                "names a mesh, to stay out of, that the run has not".into(),
                 begin_anew,
             );
         }

@@ -2,6 +2,7 @@
 
 use glam::Vec3;
 
+use super::solids::SolidTables;
 use crate::exact::{dot3, normalize_exact, snap};
 use crate::layout;
 use crate::scene::{Dimensions, Flock, Goal, Obstacle, ObstacleShape, Side};
@@ -53,23 +54,28 @@ pub(super) fn flattened(flock: &Flock, [x, y, z]: [f32; 3]) -> [f32; 3] {
 }
 
 /// What the flock's boids are kept from.
-pub(super) fn obstacle_of(flock: &Flock, obstacle: &Obstacle) -> layout::Obstacle {
+pub(super) fn obstacle_of(
+    flock: &Flock,
+    obstacle: &Obstacle,
+    solids: &SolidTables,
+) -> layout::Obstacle {
     let with = |[x, y, z]: [f32; 3], w: f32| [x, y, z, w].map(snap);
-    let keeps = |stay| u32::from(stay == Side::Inside);
-    let (kinds, place, extent) = match obstacle.shape {
+    let keeps = |stay: &Side| u32::from(*stay == Side::Inside);
+    let (kinds, place, extent) = match &obstacle.shape {
         ObstacleShape::Sphere {
             center,
             radius,
             stay,
         } => {
-            let place = with(flattened(flock, center), radius);
-            ([layout::OBSTACLE_SPHERE, keeps(stay)], place, [0.0; 4])
+            let place = with(flattened(flock, *center), *radius);
+            let kinds = [layout::OBSTACLE_SPHERE, keeps(stay), 0, 0];
+            (kinds, place, [0.0; 4])
         }
         ObstacleShape::Plane { point, normal } => {
-            let normal = normalize_exact(Vec3::from(flattened(flock, normal)));
-            let distance = dot3(normal, Vec3::from(flattened(flock, point)));
+            let normal = normalize_exact(Vec3::from(flattened(flock, *normal)));
+            let distance = dot3(normal, Vec3::from(flattened(flock, *point)));
             let place = with(normal.to_array(), distance);
-            ([layout::OBSTACLE_PLANE, 0], place, [0.0; 4])
+            ([layout::OBSTACLE_PLANE, 0, 0, 0], place, [0.0; 4])
         }
         ObstacleShape::Box { corners, stay } => {
             let (min, max) = (Vec3::from(corners.min), Vec3::from(corners.max));
@@ -78,12 +84,30 @@ pub(super) fn obstacle_of(flock: &Flock, obstacle: &Obstacle) -> layout::Obstacl
                 half.z = ENDLESS;
             }
             let center = flattened(flock, ((min + max) * 0.5).to_array());
-            let kinds = [layout::OBSTACLE_BOX, keeps(stay)];
+            let kinds = [layout::OBSTACLE_BOX, keeps(stay), 0, 0];
             (kinds, with(center, 0.0), with(half.to_array(), 0.0))
+        }
+        ObstacleShape::Mesh {
+            mesh,
+            surface,
+            position,
+            scale,
+            stay,
+        } => {
+            let (first, count) = solids.place_of(surface).unwrap_or((0, 0));
+            let (center, radius) = mesh.bounding_sphere();
+            let radius = radius * scale;
+            let center = [0, 1, 2].map(|axis| position[axis] + scale * center[axis]);
+            let kinds = [layout::OBSTACLE_MESH, keeps(stay), first, count];
+            (
+                kinds,
+                with(center, radius),
+                with([1.0 / radius, 0.0, 0.0], 0.0),
+            )
         }
     };
     layout::Obstacle {
-        kinds: [kinds[0], kinds[1], 0, 0],
+        kinds,
         place,
         extent,
         push: [1.0 / obstacle.margin, obstacle.limit, 0.0, 0.0].map(snap),

@@ -2,9 +2,9 @@
 
 use super::FrameInputs;
 use crate::layout::{
-    BOID_CONE, BOID_TRIANGLE, EDGES_TORUS, FIRE_STRIP, FireFrame, FlockFrame, PARTICLE_RECTANGLE,
-    PARTICLE_STREAK, ROW_OVER, Relation, SHAPE_MESH, SystemFrame, SystemRow, WIND_ATTRACTOR,
-    WIND_CURL, WIND_SOURCE, WIND_VORTEX, Wind,
+    BOID_CONE, BOID_TRIANGLE, EDGES_TORUS, FIRE_STRIP, FireFrame, FlockFrame, OBSTACLE_MESH,
+    Obstacle, PARTICLE_RECTANGLE, PARTICLE_STREAK, ROW_OVER, Relation, SHAPE_MESH, SystemFrame,
+    SystemRow, WIND_ATTRACTOR, WIND_CURL, WIND_SOURCE, WIND_VORTEX, Wind,
 };
 
 macro_rules! uses {
@@ -92,6 +92,8 @@ uses! {
     goals "GOALS";
     /// Flocks with obstacles.
     obstacles "OBSTACLES";
+    /// Meshes among them.
+    solids "SOLIDS";
     /// Flocks with drag.
     blown "BLOWN";
     /// What covers what is behind it.
@@ -116,6 +118,10 @@ fn has_matrix(fire: &FireFrame) -> bool {
 
 fn is_strip(fire: &FireFrame) -> bool {
     fire.kinds[3] & FIRE_STRIP != 0
+}
+
+fn is_solid(obstacle: &Obstacle) -> bool {
+    obstacle.kinds[0] == OBSTACLE_MESH
 }
 
 fn is_drawn(flock: &FlockFrame) -> bool {
@@ -146,16 +152,23 @@ fn has_triangles(flock: &FlockFrame) -> bool {
 /// after 65,535.
 const MOST_TURNS: u64 = 60_000;
 
-/// How many boids one of the flock looks at, at most.
+/// How many boids one of the flock looks at, and faces of meshes, at most.
 fn sight(flock: &FlockFrame, inputs: &FrameInputs) -> u64 {
     let [first, count, ..] = flock.ties.map(|word| word as usize);
     let ties = inputs.relations.iter().skip(first).take(count);
     let other = |tie: &Relation| inputs.flocks.get(tie.kinds[1] as usize);
     let own = u64::from(flock.members[1]);
+    let [_, _, first, count] = flock.drawn.map(|word| word as usize);
+    let obstacles = inputs.obstacles.iter().skip(first).take(count);
+    // Where it is and where it goes.
+    let faces = obstacles
+        .filter(|it| is_solid(it))
+        .map(|it| u64::from(it.kinds[3]));
     ties.filter_map(other)
         .map(|other| u64::from(other.members[1]))
         .sum::<u64>()
         .max(own)
+        + 2 * faces.sum::<u64>()
 }
 
 impl Uses {
@@ -190,6 +203,7 @@ impl Uses {
             nearest: inputs.relations.iter().any(|tie| tie.kinds[3] > 0),
             goals: inputs.flocks.iter().any(|flock| flock.goal_rule[2] > 0.0),
             obstacles: !inputs.obstacles.is_empty(),
+            solids: inputs.obstacles.iter().any(is_solid),
             blown: inputs.flocks.iter().any(|flock| flock.goal_rule[3] > 0.0),
             crowds: inputs
                 .flocks

@@ -1,6 +1,9 @@
 //! Flocks (Reynolds 1987, as the flocking article has them).
 
+use std::sync::Arc;
+
 use super::Side;
+use crate::mesh::{Mesh, Surface};
 
 /// A flock: boids that are all there from the first frame on and never die.
 ///
@@ -35,6 +38,7 @@ pub struct Flock {
     /// Where it wants to go. Default nowhere.
     pub goal: Option<Goal>,
     /// What it turns away from and never enters, at most 16; of those that overlap, the last counts.
+    /// Its meshes have at most 10,000 faces together.
     pub obstacles: Vec<Obstacle>,
     /// Part of its velocity against the wind that a boid loses each frame, 0 ..= 1. Default 0.
     pub drag: f32,
@@ -53,6 +57,17 @@ pub struct Flock {
     /// Whether each boid is drawn a second time, mirrored at the picture's upright middle line: the
     /// picture of such a flock is its own mirror image, to the bit. Default no.
     pub mirrored: bool,
+}
+
+impl Flock {
+    /// Faces of all meshes among its obstacles.
+    pub(crate) fn solid_faces(&self) -> u32 {
+        let of = |obstacle: &Obstacle| match &obstacle.shape {
+            ObstacleShape::Mesh { surface, .. } => surface.faces().len() as u32,
+            _ => 0,
+        };
+        self.obstacles.iter().map(of).sum()
+    }
 }
 
 /// A box along the axes, world units, each -1,000,000 ..= 1,000,000.
@@ -185,7 +200,7 @@ pub struct Goal {
 }
 
 /// What boids turn away from and never enter; not across edges.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Obstacle {
     /// What it is. For boids of a plane, its depth does not count.
     pub shape: ObstacleShape,
@@ -197,7 +212,7 @@ pub struct Obstacle {
 }
 
 /// Shapes of obstacles.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum ObstacleShape {
     /// A ball.
     Sphere {
@@ -219,6 +234,19 @@ pub enum ObstacleShape {
     Box {
         /// Its corners.
         corners: Corners,
+        /// Where boids may be.
+        stay: Side,
+    },
+    /// What a mesh encloses; of flocks in space only.
+    Mesh {
+        /// The mesh.
+        mesh: Arc<Mesh>,
+        /// The same, with its faces joined; it has no border.
+        surface: Arc<Surface>,
+        /// Where its origin is.
+        position: [f32; 3],
+        /// World units a unit of the mesh, 0.000001 ..= 10,000.
+        scale: f32,
         /// Where boids may be.
         stay: Side,
     },

@@ -210,8 +210,18 @@ impl Scene {
             let notes = spread.surface.notes().iter();
             notes.map(|note| format!("{}: {note}", spread.mesh.name()))
         });
+        let obstacles = self.flocks.iter().flat_map(|flock| &flock.obstacles);
+        let of_obstacles = obstacles.flat_map(|obstacle| match &obstacle.shape {
+            ObstacleShape::Mesh { mesh, surface, .. } => {
+                let notes = mesh.notes().iter().chain(surface.notes());
+                notes
+                    .map(|note| format!("{}: {note}", mesh.name()))
+                    .collect()
+            }
+            _ => Vec::new(),
+        });
         let of_meshes = self.meshes();
         let of_meshes = of_meshes.iter().flat_map(of);
-        of_meshes.chain(of_spreads).collect()
+        of_meshes.chain(of_spreads).chain(of_obstacles).collect()
     }
 }

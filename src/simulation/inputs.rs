@@ -1,8 +1,9 @@
 //! Whether inputs of the caller's making fit the plan.
 
 use crate::layout::{
-    FLAME_LIGHTS, FLAME_STEPS, FireFrame, FlockFrame, Ground, Ignition, MOST_NEAREST, ROOTS_MESH,
-    SHAPE_CURVE, SHAPE_MESH, SPREAD_BLOCKS, SurfaceFrame, SurfaceLight, SystemFrame, SystemRow,
+    FLAME_LIGHTS, FLAME_STEPS, FireFrame, FlockFrame, Ground, Ignition, MOST_NEAREST,
+    OBSTACLE_MESH, ROOTS_MESH, SHAPE_CURVE, SHAPE_MESH, SPREAD_BLOCKS, SurfaceFrame, SurfaceLight,
+    SystemFrame, SystemRow,
 };
 use crate::plan::{FrameInputs, Plan, PlanError};
 
@@ -241,6 +242,11 @@ fn flocks_fit(plan: &Plan, inputs: &FrameInputs) -> bool {
                 && within(flock.ties[0], flock.ties[1].into(), ties)
                 && trail_fits(plan, flock)
                 && within(first_obstacle, obstacles.into(), inputs.obstacles.len())
+        })
+        && inputs.obstacles.iter().all(|obstacle| {
+            let [kind, _, first, count] = obstacle.kinds;
+            let stored = plan.solids.face_count() as usize;
+            kind != OBSTACLE_MESH || count > 0 && within(first, count.into(), stored)
         })
         && inputs.relations.iter().all(|tie| {
             let [_, other, _, nearest] = tie.kinds;

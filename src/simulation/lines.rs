@@ -1,17 +1,16 @@
 //! The living as line segments, for vector displays: particles as their ways (Reeves 1983, 4.2),
-//! flames as the trajectories of theirs (Perry 1994, 3.2), boids as triangles along their headings.
+//! flames as the trajectories of theirs (Perry 1994, 3.2). Boids are in `boid_lines`.
 
 use glam::Vec3;
 
 use crate::cpu::particle::row_index;
 use crate::cpu::projection::{Projected, project, project_closing};
 use crate::cpu::sprite::sprite_of;
-use crate::exact::cross3;
-use crate::layout::{BOID_POINT, Boid, FLAME_STEPS, Flame, Frame, Particle, SystemRow};
+use crate::layout::{FLAME_STEPS, Flame, Frame, Particle, SystemRow};
 use crate::plan::{FrameInputs, Population};
 
 /// A line segment as it is seen: a particle's way while the shutter is open, a step of a flame's
-/// particle, or a side of a boid.
+/// particle, a side of a boid or a step of its trail.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
     /// Where it begins: pixels from the left and from the top.
@@ -84,37 +83,4 @@ pub(super) fn lines_of_flame<'a>(
         };
         between(view, line, seen(&ends[0]), seen(&ends[1]))
     })
-}
-
-/// The sides of a boid's triangle, whatever its shape is in pictures: one that has none shows where
-/// it heads, too.
-pub(super) fn lines_of_boid(boid: &Boid, inputs: &FrameInputs) -> impl Iterator<Item = Line> {
-    let view = inputs.frame;
-    let flock = &inputs.flocks[boid.flock() as usize];
-    let [red, green, blue, opacity] = flock.color;
-    let line = Line {
-        from_px: [0.0; 2],
-        to_px: [0.0; 2],
-        color: [red, green, blue].map(|channel| channel * opacity),
-        population: Population::Boids,
-        slot: boid.flock(),
-    };
-    let position = Vec3::from(boid.position());
-    let forward = Vec3::from(boid.velocity())
-        .try_normalize()
-        .unwrap_or(Vec3::X);
-    let [x, y, z, _] = view.view_from_world_z;
-    let side = cross3(forward, Vec3::new(x, y, z)).normalize_or_zero();
-    let in_pixels = flock.ties[3] == BOID_POINT;
-    let scale = project(&view, position).scale;
-    let size = flock.cells_per_unit[3] / if in_pixels { scale } else { 1.0 };
-    let corners = [
-        position,
-        position + side * size,
-        position + side * (0.5 * size) + forward * (1.2 * size),
-    ]
-    .map(|corner| project(&view, corner));
-    [(0, 1), (1, 2), (2, 0)]
-        .into_iter()
-        .filter_map(move |(from, to)| between(&view, line, corners[from], corners[to]))
 }

@@ -1,6 +1,7 @@
 //! The library's front door: a scene under way on an adapter.
 
 mod adapter;
+mod boid_lines;
 mod draw;
 mod error;
 mod flock_metrics;

@@ -4,7 +4,8 @@ use std::borrow::Cow;
 
 use bytemuck::{Pod, Zeroable};
 
-use super::lines::{line_of, lines_of_boid, lines_of_flame};
+use super::boid_lines::lines_of_boid;
+use super::lines::{line_of, lines_of_flame};
 use super::{Line, Simulation, SimulationError};
 use crate::backend::BackendError;
 use crate::cpu::boid::boid_id;
@@ -259,7 +260,10 @@ impl Simulation {
         if !inputs.flocks.is_empty() {
             let words = self.backend.read("boids")?;
             let boids: &[Boid] = bytemuck::cast_slice(&words);
-            lines.extend(boids.iter().flat_map(|boid| lines_of_boid(boid, inputs)));
+            let words = self.backend.read("boid_trails")?;
+            let trails: &[[u32; 4]] = bytemuck::cast_slice(&words);
+            let of = |boid| lines_of_boid(boid, trails, inputs);
+            lines.extend(boids.iter().flat_map(of));
         }
         Ok(lines)
     }

@@ -147,6 +147,21 @@ fn r87_scenes_of_boids_scale_by_boids() {
     let live = run.live.expect("it is counted");
     assert!(live.abs_diff(900) <= scene.flocks.len() as u64, "{live}");
     assert_eq!(run.warnings, [""; 0]);
+    // Where they begin, boids see as many as the area within 60 px has of 450 on average, but at edges.
+    let seen = run.neighbour_reads.expect("they flock") as f64 / 900.0;
+    let area = std::f64::consts::PI * 60.0 * 60.0;
+    let [low, high] = [scene.flocks[0].region.min, scene.flocks[0].region.max];
+    let world = f64::from((high[0] - low[0]) * (high[1] - low[1]));
+    let expected = f64::from(scene.flocks[0].count) * area / world;
+    assert!(
+        (0.6..1.2).contains(&(seen / expected)),
+        "{seen}, not {expected}"
+    );
+    let rates = [run.neighbour_reads_per_s(), run.particles_per_s()];
+    assert!(
+        rates[0] > rates[1].map(|rate| rate * seen * 0.9),
+        "{rates:?}"
+    );
     let error = job(&scene, 1_000_001).scaled().expect_err("too many");
     assert!(error.is_users_fault() && error.to_string().contains("at most 1000000 boids"));
 }

@@ -199,6 +199,7 @@ impl Model {
             step_ms,
             wall_ms: Some(Spread::new(wall, Clock::Wall)),
             cpu_seconds: Some(2.5),
+            neighbour_reads: Some(7 * particles),
             peak_memory_bytes: (120 << 20) + particles * 64,
             gpu_memory_bytes: Some(particles * 64 + (30 << 20)),
             passes,

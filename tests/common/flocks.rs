@@ -77,7 +77,9 @@ pub(crate) fn driven_flocks() -> Scene {
              [[flock.relation]]\nkind = \"flock\"\nview_angle_degrees = 270\nnearest = 7\n\
              [[flock.obstacle]]\nkind = \"sphere\"\ncenter = [150, 100, 0]\nradius = 40\n\
              [[flock.obstacle]]\nkind = \"box\"\nmin = [200, 20, -20]\nmax = [240, 60, 30]\n\
-             [[flock.obstacle]]\nkind = \"plane\"\npoint = [10, 10, 0]\nnormal = [1, 2, 0.5]\n"
+             [[flock.obstacle]]\nkind = \"plane\"\npoint = [10, 10, 0]\nnormal = [1, 2, 0.5]\n\
+             [[flock.obstacle]]\nkind = \"mesh\"\nmesh = \"cylinder\"\nposition = [90, 150, 10]\n\
+             scale = 35\nmargin = 12\n"
         ),
         format!(
             "name = \"flat\"\ncount = 250\nregion = {{ {box_of} }}\ndrag = 0.2\n\
@@ -90,6 +92,13 @@ pub(crate) fn driven_flocks() -> Scene {
              stay = \"inside\"\nmargin = 5\n\
              [[flock.obstacle]]\nkind = \"box\"\nmin = [70, 30, 5]\nmax = [230, 180, 6]\n\
              stay = \"inside\"\nlimit = 2\n"
+        ),
+        format!(
+            "name = \"caged\"\ncount = 60\ndimensions = 3\nregion = {{ {box_of} }}\nmax_speed = 9\ntrail_frames = 1\n\
+             [[flock.obstacle]]\nkind = \"mesh\"\nmesh = \"cube\"\nposition = [220, 140, -20]\n\
+             scale = 30\nstay = \"inside\"\nlimit = 3\n\
+             [[flock.obstacle]]\nkind = \"mesh\"\nmesh = \"cylinder\"\nposition = [235, 140, -20]\n\
+             scale = 12\n"
         ),
         // Nothing but wind; and one at the very middle of a ball.
         format!(

@@ -127,7 +127,7 @@ fn f25_all_rules() {
 
 /// Where near ones count more, boids do keep apart.
 #[test]
-fn f18_inverse_distance_separates() {
+fn fa2_inverse_distance_separates() {
     let lines = one_rule("separation") + "separation = \"inverse_distance\"\n";
     let before = seeds(&lines, 1, 4);
     let after = seeds(&lines, 300, 4);

@@ -150,7 +150,7 @@ fn f18_coincident_boids_are_the_same_everywhere() {
 
 /// More boids in a cell than drivers let a loop turn.
 #[test]
-fn f17_a_cell_has_no_most() {
+fn fa11_a_cell_has_no_most() {
     let crowd = "name = \"crowd\"\ncount = 66_000\nregion = { min = [0, 0, 0], max = [1, 1, 0] }";
     let one = "name = \"one\"\ncount = 1\nregion = { min = [0.5, 0.5, 0], max = [0.5, 0.5, 0] }\n\
                [[flock.relation]]\nkind = \"flock\"\nother = \"crowd\"";

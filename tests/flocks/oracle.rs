@@ -8,25 +8,25 @@ use rayon::prelude::*;
 use crate::common::*;
 use crate::support::*;
 
-type Vector = [f64; 2];
+pub(crate) type Vector = [f64; 2];
 
-fn add(a: Vector, b: Vector) -> Vector {
+pub(crate) fn add(a: Vector, b: Vector) -> Vector {
     [a[0] + b[0], a[1] + b[1]]
 }
 
-fn sub(a: Vector, b: Vector) -> Vector {
+pub(crate) fn sub(a: Vector, b: Vector) -> Vector {
     [a[0] - b[0], a[1] - b[1]]
 }
 
-fn times(a: Vector, factor: f64) -> Vector {
+pub(crate) fn times(a: Vector, factor: f64) -> Vector {
     [a[0] * factor, a[1] * factor]
 }
 
-fn mag(a: Vector) -> f64 {
+pub(crate) fn mag(a: Vector) -> f64 {
     (a[0] * a[0] + a[1] * a[1]).sqrt()
 }
 
-fn limit(a: Vector, most: f64) -> Vector {
+pub(crate) fn limit(a: Vector, most: f64) -> Vector {
     if mag(a) > most {
         times(a, most / mag(a))
     } else {
@@ -34,7 +34,7 @@ fn limit(a: Vector, most: f64) -> Vector {
     }
 }
 
-fn set_mag(a: Vector, length: f64) -> Vector {
+pub(crate) fn set_mag(a: Vector, length: f64) -> Vector {
     if mag(a) == 0.0 {
         a
     } else {

@@ -155,3 +155,49 @@ fn f32_attractors_begin_with_a_step_of_10() {
         assert!((length([to[0] - from[0], to[1] - from[1], 0.0]) - 2.0).abs() < 1e-4);
     }
 }
+
+/// Steering is the desired velocity less the current one: what is not limited is desired, whatever was.
+#[test]
+fn f13_steering_is_desired_less_current() {
+    let share = std::f32::consts::FRAC_1_SQRT_2;
+    let other = ([110.0, 110.0, 0.0], [0.0, -0.5, 0.0]);
+    for (rule, desired) in [
+        ("separation", [-4.0 * share, -4.0 * share, 0.0]),
+        ("alignment", [0.0, -4.0, 0.0]),
+        ("cohesion", [4.5 * share, 4.5 * share, 0.0]),
+    ] {
+        let limit = format!("{rule}_limit = 50\n");
+        let lines = with(&one_rule(rule), &[("count", "2"), ("max_speed", "100")]) + &limit;
+        let plan = plan(&scene(&[&lines]));
+        for velocity in [STILL, [1.0, 0.0, 0.0], [-0.3, 1.7, 0.0]] {
+            let own = ([100.0, 100.0, 0.0], velocity);
+            let got = stepped(&plan, &[own, other])[0].1;
+            let off = (0..3).map(|at| (got[at] - desired[at]).abs());
+            assert!(
+                off.fold(0.0, f32::max) < 5e-6,
+                "{rule}: {got:?}, not {desired:?}"
+            );
+        }
+    }
+}
+
+/// As the built-in scene has them: they pull within 60 px and are fled from within 40.
+#[test]
+fn f37_attractors_are_avoided_within_40_px() {
+    let mut scene = motes::scene::load("rorschach").expect("it is built in");
+    scene.flocks[0].count = 1;
+    scene.flocks[1].count = 1;
+    let plan = plan(&scene);
+    let pushed = |distance: f32| {
+        let own = ([-20.0, 0.0, 0.0], STILL);
+        let attractor = ([distance - 20.0, 0.0, 0.0], STILL);
+        stepped(&plan, &[own, attractor])[0].1
+    };
+    assert_near(pushed(39.99), [0.4 - 1.0, 0.0, 0.0]);
+    assert_near(pushed(40.0), [0.4, 0.0, 0.0]);
+    assert_near(pushed(59.99), [0.4, 0.0, 0.0]);
+    assert_eq!(pushed(60.0), STILL);
+    // Nearer than a unit, each of both is as long as the way.
+    assert_near(pushed(0.25), [0.25 - 0.25, 0.0, 0.0]);
+    assert_near(pushed(0.75), [0.4 - 0.75, 0.0, 0.0]);
+}

@@ -1,6 +1,7 @@
 //! How flocks begin.
 
 use motes::backend::Backend;
+use motes::gpu::GpuOptions;
 use motes::plan::Stage;
 
 use crate::common::*;
@@ -134,4 +135,49 @@ fn f29_who_a_boid_is_depends_on_nothing_but_its_flock() {
     assert_ne!(alone, behind[..500]);
     let more = hatched(&[&with(FREE, &[("count", "600")])]);
     assert_eq!(alone, more[..500]);
+}
+
+/// The sketches' `setup` and `draw`.
+#[test]
+fn f2_boids_begin_once_and_move_once_a_frame() {
+    let free = "name = \"b\"\ncount = 50\nregion = { min = [0, 0, 0], max = [500, 300, 0] }";
+    let plan = plan(&scene(&[free]));
+    let begun = hatched(&[free]);
+    let moves = |backend: &mut dyn Backend, name: &str| {
+        let mut places: Vec<[f32; 3]> = begun.iter().map(|(place, _)| *place).collect();
+        for frame in 0..6 {
+            step(backend, &plan.inputs(frame));
+            for (place, (_, velocity)) in places.iter_mut().zip(&begun) {
+                *place = std::array::from_fn(|axis| place[axis] + velocity[axis]);
+            }
+            let got = states_of(&boids(backend));
+            for ((got, _), expected) in got.iter().zip(&places) {
+                assert_eq!(got, expected, "{name}, frame {frame}");
+            }
+        }
+    };
+    moves(&mut on_cpu(&plan), "cpu");
+    on_each_adapter(|name, device| moves(&mut on_gpu(device, &plan, &GpuOptions::default()), name));
+}
+
+/// The constructor's arguments are keys, in its order: x and y, mass, size, speed and the colour.
+#[test]
+fn f3_a_particle_has_what_the_article_s_has() {
+    let reference = include_str!("../../scenes/REFERENCE.md");
+    let (_, table) = reference.split_once("## `[[flock]]`").expect("its table");
+    let keys = ["region", "mass", "size", "max_speed", "color"];
+    let places = keys.map(|key| table.find(&format!("| `{key}`")).expect(key));
+    assert!(places.is_sorted(), "{places:?}");
+    // Each boid has a place and a velocity of its own; what it has been accelerated by is gone.
+    let pushed = "name = \"b\"\ncount = 1\nmass = 2\nmax_speed = 4\nforce = { keys = [[0, [2, 0, 0]], \
+                  [1, [0, 0, 0]]], interpolation = \"step\" }\nstart_speed = 0\n\
+                  region = { min = [7, 9, 0], max = [7, 9, 0] }";
+    let plan = plan(&scene(&[pushed]));
+    let mut cpu = on_cpu(&plan);
+    for frame in 0..3u8 {
+        step(&mut cpu, &plan.inputs(frame.into()));
+        let states = states_of(&boids(&mut cpu));
+        let x = 8.0 + f32::from(frame);
+        assert_eq!(states, [([x, 9.0, 0.0], [1.0, 0.0, 0.0])], "frame {frame}");
+    }
 }

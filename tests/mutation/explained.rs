@@ -87,6 +87,7 @@ static EXPLAINED: &[Explanation] = &[
     ("draw/boid_shapes", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: more than there are boids"),
     ("flock/sum_cells", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: more than there are runs of cells"),
     ("flock/spread_cells", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: more than there are runs of cells"),
+    ("flock/hatch", "hatch: Bool(false) -> Bool(true)", "in a branch that the switch has closed"),
     ("flock/cells", "const CROWDS: Bool(true) -> Bool(false)", "one a turn instead of sixteen: the same rank, but for crowds that a test of its own has"),
     ("flock/steer", "const CROWDS: Bool(true) -> Bool(false)", "one a turn instead of sixteen: the same sums, but for crowds that a test of its own has"),
     ("flock/cells", "sort_into_cells: 16u -> 17u in (member + 16u)", "one a turn instead of sixteen, sometimes: the same rank"),

@@ -23,7 +23,7 @@ fn a_flock_alone_is_a_scene_and_nobody_is_none() {
 fn every_kind_of_edge_is_read_as_what_it_says() {
     let corners = Corners {
         min: [0.0, 0.0, 0.0],
-        max: [500.0, 300.0, 0.0],
+        max: [500.0, 300.0, 200.0],
     };
     let edges = [
         ("edges.wrap", Edges::Wrap(corners)),
@@ -45,7 +45,7 @@ fn every_kind_of_edge_is_read_as_what_it_says() {
     ];
     for (section, wanted) in edges {
         // Long enough for all who look at it.
-        let text = with(section, "max", "[500, 300, 0]").replace("dimensions = 3", "");
+        let text = with(section, "max", "[500, 300, 200]");
         assert_eq!(accepted(&text).flocks[0].edges, wanted);
     }
     for (word, wanted) in [
@@ -66,7 +66,7 @@ fn relations_are_to_the_flock_itself_if_nothing_is_said() {
         flock("").replace("\"a\"", "\"b\""),
         flock("[[flock.relation]]\nkind = \"flock\"")
     ));
-    let relation = scene.flocks[1].relations[0];
+    let relation = &scene.flocks[1].relations[0];
     assert_eq!((relation.other, relation.radius), (1, None));
     let RelationKind::Flock {
         inverse_distance, ..
@@ -108,6 +108,22 @@ fn what_is_at_odds_is_refused() {
         (
             flock("edges = { kind = \"wrap\", min = [0, 2, 0], max = [1, 1, 1] }"),
             "is less than `min` along y",
+        ),
+        (
+            flock("dimensions = 3\n[[flock.obstacle]]\nkind = \"mesh\"\nmesh = \"plane\""),
+            "`flock.a.obstacle.0`: plane has open edges, so nothing is inside of it",
+        ),
+        (
+            flock(&format!(
+                "dimensions = 3\n{}",
+                "[[flock.obstacle]]\nkind = \"mesh\"\nmesh = \"sphere\"\n".repeat(2)
+            )),
+            "the obstacles of `flock.a` have 10240 faces, too many",
+        ),
+        (
+            flock("dimensions = 3\n[[flock.relation]]\nkind = \"flock\"\n[[flock.obstacle]]\nkind = \"mesh\"\nmesh = \"torus\"")
+                .replace("count = 2", "count = 900_000"),
+            "may look at 900000 boids and 9216 faces of meshes, too many",
         ),
         (flock("") + &flock(""), "already that of another flock"),
     ];

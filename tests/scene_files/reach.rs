@@ -290,10 +290,21 @@ fn obstacles() -> Vec<Obstacle> {
         max: [2.0, 3.0, 4.0],
     };
     let stay = Side::Inside;
+    let mesh = motes::mesh::builtin("cube")
+        .expect("it is built in")
+        .expect("it is well");
+    let solid = ObstacleShape::Mesh {
+        surface: Arc::new(motes::mesh::Surface::new(&mesh, 1.0).expect("it has two sides")),
+        mesh: Arc::new(mesh),
+        position: [2.0, 1.0, -1.0],
+        scale: 1.5,
+        stay,
+    };
     vec![
         obstacle(sphere, 6.0, 0.9),
         obstacle(plane, 7.0, 0.8),
         obstacle(ObstacleShape::Box { corners, stay }, 8.0, 0.6),
+        obstacle(solid, 9.0, 0.4),
     ]
 }
 

@@ -95,7 +95,7 @@ fn the_examples_of_the_reference_page_are_right() {
     }
     assert_eq!(
         kinds,
-        9 + 4 + 10 + 3 + 3 + 5 + 5,
+        9 + 4 + 10 + 3 + 4 + 5 + 5,
         "each kind has an example"
     );
 }

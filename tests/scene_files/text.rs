@@ -228,6 +228,14 @@ max = [2, 3, 4]
 stay = "inside"
 margin = 8
 limit = 0.6
+[[flock.obstacle]]
+kind = "mesh"
+mesh = "cube"
+position = [2, 1, -1]
+scale = 1.5
+stay = "inside"
+margin = 9
+limit = 0.4
 [[flock.relation]]
 kind = "flock"
 other = "hunters"

@@ -4,19 +4,22 @@
 // attraction, what drives boids besides each other, then Particle.update and the edges. All see the
 // state of the frame before, so that the order of the boids does not matter. One invocation a boid of
 // the flock, in sorted order.
-// Reads: frame, flocks, relations, obstacles, winds, cell_starts, sorted_boids. Writes: boids,
-// boid_trails.
+// Reads: frame, flocks, relations, obstacles, solid_faces, winds, cell_starts, sorted_boids. Writes:
+// boids, boid_trails.
 // Invariant: whoever is nearer than a relation's radius is looked at, and everybody at most once. Where
 // only the nearest count (Ballerini et al. 2008), who they are depends on distances and identities
 // alone.
 
 #import motes::boid::{Motion, moved}
 #import motes::dispatch::linear_index
-#import motes::exact::{bits_of, dot3, less, normalize_exact}
+#import motes::exact::{bits_of, dot3, less, less_equal, normalize_exact}
 #import motes::grid::{around, cell_index, gap_to, half_row, nearest_way, place_in_cells, span}
-#import motes::layout::{Boid, EDGES_TORUS, FlockFrame, Frame, MOST_NEAREST, Obstacle, Relation, Wind}
+#import motes::layout::{
+    Boid, EDGES_TORUS, FlockFrame, Frame, MOST_NEAREST, MOST_WINDS, OBSTACLE_MESH, Obstacle, ROWS_A_SOLID_FACE, Relation, Wind,
+}
+#import motes::solid::{Nearest, nearest_of, solid_surface}
 #import motes::steering::{Perceived, answer, nothing, perceiving, sees}
-#import motes::urge::{kept_out, sought, turned_away}
+#import motes::urge::{Surface, facing, kept_out, sought, sphere_surface, surface_of, turned_away}
 #import motes::wind::{Kinds, wind_of}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
@@ -25,11 +28,12 @@ const CROWDS: bool = #{CROWDS};
 // Whether opposite edges of any flock are the same.
 const TORUS: bool = #{TORUS};
 // Whether any boids do not see all around; whether any see but the nearest; whether any have a goal,
-// obstacles, drag; what parts of the wind there are.
+// obstacles, meshes among them, drag; what parts of the wind there are.
 const VIEWS: bool = #{VIEWS};
 const NEAREST: bool = #{NEAREST};
 const GOALS: bool = #{GOALS};
 const OBSTACLES: bool = #{OBSTACLES};
+const SOLIDS: bool = #{SOLIDS};
 const BLOWN: bool = #{BLOWN};
 const MANY_WINDS: bool = #{MANY_WINDS};
 const FLOWS: bool = #{FLOWS};
@@ -50,9 +54,13 @@ var<immediate> which: Which;
 @group(0) @binding(3) var<storage, read> sorted_boids: array<Boid>;
 @group(0) @binding(4) var<storage, read_write> boids: array<Boid>;
 @group(0) @binding(5) var<storage, read> obstacles: array<Obstacle>;
-@group(0) @binding(6) var<storage, read> winds: array<Wind>;
+@group(0) @binding(6) var<uniform> winds: array<Wind, MOST_WINDS>;
 @group(0) @binding(7) var<uniform> frame: Frame;
 @group(0) @binding(8) var<storage, read_write> boid_trails: array<vec4<u32>>;
+@group(0) @binding(9) var<storage, read> solid_faces: array<vec4<f32>>;
+
+// Farther than anything, squared.
+const FAR_SQUARED: f32 = 1e30f;
 
 // Who looks, at whom and how.
 struct View {
@@ -226,6 +234,36 @@ fn dragged(flock: FlockFrame, lone_wind: Wind, motion: Motion) -> vec3<f32> {
     return (flow - motion.velocity) * flock.goal_rule.w;
 }
 
+// The surface of a mesh. Far from what boids are to stay out of, that of the ball around it: nobody
+// turns away from either.
+fn surface_of_mesh(obstacle: Obstacle, position: vec3<f32>) -> Surface {
+    let from_center = position - obstacle.place.xyz;
+    let ball = sphere_surface(from_center, obstacle.place.w);
+    if obstacle.kinds.y == 0u && less_equal(1.0f, ball.distance * obstacle.push.x) {
+        return ball;
+    }
+    let at = from_center * obstacle.extent.x;
+    var nearest = Nearest(vec3<f32>(0.0f), FAR_SQUARED, 0u);
+    let end = obstacle.kinds.z + obstacle.kinds.w;
+    for (var face = obstacle.kinds.z; face < end; face += 1u) {
+        let corner = face * ROWS_A_SOLID_FACE;
+        let away = at - solid_faces[corner].xyz;
+        var here = nearest_of(away, solid_faces[corner + 1u].xyz, solid_faces[corner + 2u].xyz);
+        if less(here.squared, nearest.squared) {
+            here.part += corner;
+            nearest = here;
+        }
+    }
+    return solid_surface(nearest, solid_faces[nearest.part].xyz, obstacle.place.w);
+}
+
+fn surface_at(obstacle: Obstacle, position: vec3<f32>) -> Surface {
+    if SOLIDS && obstacle.kinds.x == OBSTACLE_MESH {
+        return facing(obstacle, surface_of_mesh(obstacle, position));
+    }
+    return surface_of(obstacle, position);
+}
+
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn steer(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let flock = flocks[which.flock];
@@ -250,14 +288,15 @@ fn steer(@builtin(global_invocation_id) global_id: vec3<u32>) {
     }
     let obstacles_end = flock.drawn.z + flock.drawn.w;
     for (var obstacle = flock.drawn.z; OBSTACLES && obstacle < obstacles_end; obstacle += 1u) {
-        acceleration += turned_away(obstacles[obstacle], motion.position);
+        let before = obstacles[obstacle];
+        acceleration += turned_away(before, surface_at(before, motion.position));
     }
     if BLOWN {
         acceleration += dragged(flock, lone_wind, motion);
     }
     var next = moved(flock, motion, acceleration);
     for (var obstacle = flock.drawn.z; OBSTACLES && obstacle < obstacles_end; obstacle += 1u) {
-        next = kept_out(obstacles[obstacle], next);
+        next = kept_out(surface_at(obstacles[obstacle], next.position), next);
     }
     if TRAILS && flock.trail.z > 0u {
         let ring = flock.trail.x + velocity_bits.w * (flock.trail.y + 1u);

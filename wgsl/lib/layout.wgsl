@@ -377,15 +377,19 @@ struct Relation {
 
 // What boids of a flock turn away from, and never enter.
 struct Obstacle {
-    // OBSTACLE_..., 1 if boids stay inside.
+    // OBSTACLE_..., 1 if boids stay inside; of a mesh, its first stored face and how many.
     kinds: vec4<u32>,
-    // Centre and radius of a ball, unit normal and distance of a plane, centre of a box.
+    // Centre and radius of a ball or of that around a mesh, unit normal and distance of a plane, centre
+    // of a box.
     place: vec4<f32>,
-    // Half the extents of a box.
+    // Half the extents of a box; of a mesh, the inverse of the ball's radius.
     extent: vec4<f32>,
     // Inverse of the margin where boids turn away, most that they accelerate.
     push: vec4<f32>,
 }
+
+// Parts of the wind, at most.
+const MOST_WINDS: u32 = 16u;
 
 // Relation.kinds.w at most.
 const MOST_NEAREST: u32 = 16u;
@@ -394,6 +398,9 @@ const MOST_NEAREST: u32 = 16u;
 const OBSTACLE_SPHERE: u32 = 0u;
 const OBSTACLE_PLANE: u32 = 1u;
 const OBSTACLE_BOX: u32 = 2u;
+const OBSTACLE_MESH: u32 = 3u;
+// Rows of solid_faces a face.
+const ROWS_A_SOLID_FACE: u32 = 10u;
 
 // Relation.kinds.x.
 const RELATION_FLOCK: u32 = 0u;

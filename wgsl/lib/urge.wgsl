@@ -61,6 +61,7 @@ fn box_surface(from_center: vec3<f32>, half: vec3<f32>) -> Surface {
     return Surface(vec3<f32>(0.0f, 0.0f, signs.z), beyond.z);
 }
 
+// The surface of what is told by a few numbers.
 fn surface_of(obstacle: Obstacle, position: vec3<f32>) -> Surface {
     let kind = obstacle.kinds.x;
     if kind == OBSTACLE_PLANE {
@@ -71,6 +72,11 @@ fn surface_of(obstacle: Obstacle, position: vec3<f32>) -> Surface {
     if kind == OBSTACLE_SPHERE {
         surface = sphere_surface(from_center, obstacle.place.w);
     }
+    return facing(obstacle, surface);
+}
+
+// What is seen of a surface from outside as it is from where boids may be.
+fn facing(obstacle: Obstacle, surface: Surface) -> Surface {
     if obstacle.kinds.y == 1u {
         return Surface(-surface.normal, -surface.distance);
     }
@@ -78,15 +84,13 @@ fn surface_of(obstacle: Obstacle, position: vec3<f32>) -> Surface {
 }
 
 // What a boid accelerates by to turn away: nothing beyond the margin, the more the nearer.
-fn turned_away(obstacle: Obstacle, position: vec3<f32>) -> vec3<f32> {
-    let surface = surface_of(obstacle, position);
+fn turned_away(obstacle: Obstacle, surface: Surface) -> vec3<f32> {
     let nearness = clamp_unit(1.0f - surface.distance * obstacle.push.x);
     return surface.normal * (obstacle.push.y * nearness);
 }
 
 // Who would be inside is put on the surface, and goes on along it.
-fn kept_out(obstacle: Obstacle, motion: Motion) -> Motion {
-    let surface = surface_of(obstacle, motion.position);
+fn kept_out(surface: Surface, motion: Motion) -> Motion {
     if !less(surface.distance, 0.0f) {
         return motion;
     }

@@ -5,6 +5,7 @@ pub mod hatch;
 pub mod steer;
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use rayon::prelude::*;
 
@@ -12,7 +13,7 @@ use crate::backend::{BackendError, try_zeroed};
 use crate::cpu::draw::boid_shapes::boid_shapes;
 use crate::cpu::draw::boid_trails::boid_trails;
 use crate::layout::{Boid, Cover, FlockFrame};
-use crate::plan::{FrameInputs, Plan};
+use crate::plan::{FrameInputs, Plan, SolidTables};
 
 /// The places of a boid's trail among those of all.
 fn ring_of(flock: &FlockFrame, boid: &Boid) -> Range<usize> {
@@ -34,6 +35,8 @@ pub(super) struct Flocks {
     pub(super) starts: Vec<u32>,
     /// The boids by cell, and within a cell in order.
     pub(super) sorted: Vec<Boid>,
+    /// Faces of the meshes that they stay out of.
+    solids: Arc<SolidTables>,
 }
 
 impl Flocks {
@@ -45,6 +48,7 @@ impl Flocks {
             cells: try_zeroed(boids, "boids' cells")?,
             starts: try_zeroed(plan.cell_count as usize + 1, "grid cells")?,
             sorted: try_zeroed(boids, "sorted boids")?,
+            solids: Arc::clone(&plan.solids),
         })
     }
 
@@ -97,10 +101,11 @@ impl Flocks {
 
     pub(super) fn steer(&mut self, inputs: &FrameInputs) {
         let (sorted, starts) = (&self.sorted, &self.starts);
+        let solid_faces = &self.solids.rows;
         let moved: Vec<Boid> = (0..sorted.len())
             .into_par_iter()
             .with_min_len(16)
-            .map(|own| steer::steer(inputs, starts, sorted, own))
+            .map(|own| steer::steer(inputs, starts, sorted, solid_faces, own))
             .collect();
         for boid in moved {
             let flock = &inputs.flocks[boid.flock() as usize];

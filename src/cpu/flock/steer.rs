@@ -7,7 +7,7 @@ use glam::Vec3;
 use crate::cpu::boid::{Motion, moved};
 use crate::cpu::grid::{around, cell_index, gap_to, half_row, nearest_way, place_in_cells, span};
 use crate::cpu::steering::{Neighbour, Perceived, answer, perceiving, sees};
-use crate::cpu::urge::{kept_out, sought, turned_away};
+use crate::cpu::urge::{kept_out, sought, surface_of, turned_away};
 use crate::cpu::wind::wind_at;
 use crate::exact::{bits_of, dot3, less, normalize_exact};
 use crate::layout::{Boid, EDGES_TORUS, FlockFrame, Relation, Wind};
@@ -148,8 +148,14 @@ fn dragged(flock: &FlockFrame, winds: &[Wind], motion: Motion) -> Vec3 {
     (flow - motion.velocity) * Vec3::splat(flock.goal_rule[3])
 }
 
-/// The boid at the sorted place `own`, a frame later.
-pub fn steer(inputs: &FrameInputs, starts: &[u32], sorted: &[Boid], own: usize) -> Boid {
+/// The boid at the sorted place `own`, a frame later; `solid_faces` are the stored rows of meshes.
+pub fn steer(
+    inputs: &FrameInputs,
+    starts: &[u32],
+    sorted: &[Boid],
+    solid_faces: &[[f32; 4]],
+    own: usize,
+) -> Boid {
     let boid = sorted[own];
     let slot = boid.flock();
     let flock = &inputs.flocks[slot as usize];
@@ -179,7 +185,8 @@ pub fn steer(inputs: &FrameInputs, starts: &[u32], sorted: &[Boid], own: usize) 
     let [_, _, first, count] = flock.drawn.map(|word| word as usize);
     let obstacles = &inputs.obstacles[first..first + count];
     for obstacle in obstacles {
-        acceleration += turned_away(obstacle, motion.position);
+        let surface = surface_of(obstacle, solid_faces, motion.position);
+        acceleration += turned_away(obstacle, &surface);
     }
     // Without drag there is nothing to add.
     if flock.goal_rule[3] != 0.0 {
@@ -187,7 +194,7 @@ pub fn steer(inputs: &FrameInputs, starts: &[u32], sorted: &[Boid], own: usize) 
     }
     let mut next = moved(flock, motion, acceleration);
     for obstacle in obstacles {
-        next = kept_out(obstacle, next);
+        next = kept_out(&surface_of(obstacle, solid_faces, next.position), next);
     }
     let [x, y, z] = next.position.to_array().map(bits_of);
     let [vx, vy, vz] = next.velocity.to_array().map(bits_of);

@@ -82,6 +82,7 @@ pub(super) const SWITCHES: &[&str] = &[
     "NEAREST",
     "GOALS",
     "OBSTACLES",
+    "SOLIDS",
     "BLOWN",
 ];
 

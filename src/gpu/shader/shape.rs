@@ -50,6 +50,12 @@ pub(super) fn shape(module: &naga::Module, ty: Handle<Type>) -> Shape {
             size: ArraySize::Dynamic,
             stride,
         } => (base, true, stride),
+        // Records of a bounded number, which a uniform buffer holds.
+        TypeInner::Array { base, stride, .. }
+            if matches!(module.types[base].inner, TypeInner::Struct { .. }) =>
+        {
+            (base, false, stride)
+        }
         _ => (ty, false, size_of(module, ty)),
     };
     let fields = match &module.types[record].inner {

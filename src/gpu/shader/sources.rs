@@ -58,6 +58,7 @@ pub static LIBRARIES: &[Source] = sources![
     "lib/steering",
     "lib/strip",
     "lib/urge",
+    "lib/solid",
     "lib/cover",
     "lib/behind",
     "lib/shape",

@@ -12,6 +12,7 @@
 mod features;
 mod joined;
 mod places;
+mod solid;
 mod vectors;
 
 use super::{Mesh, MeshError};

@@ -7,6 +7,13 @@ use crate::scene::{Corners, Dimensions, Edges, Flock, ObstacleShape, SceneError}
 /// of a software driver.
 const MOST_BOIDS: u64 = 1_000_000;
 
+/// Faces of meshes that a boid looks at, at most.
+const MOST_SOLID_FACES: u32 = 10_000;
+
+/// Turns of loops that an invocation has on software drivers, with some to spare; sixteen of a crowd are
+/// looked at in one.
+const MOST_TURNS: u64 = 65_000;
+
 /// There are not too many boids, and nobody sees a boid twice around a torus.
 pub(in crate::scene) fn boids(flocks: &[Flock], spot: &Spot<'_>) -> Result<(), SceneError> {
     let total: u64 = flocks.iter().map(|flock| u64::from(flock.count)).sum();
@@ -17,6 +24,7 @@ pub(in crate::scene) fn boids(flocks: &[Flock], spot: &Spot<'_>) -> Result<(), S
     }
     for flock in flocks {
         upright_planes(flock, spot)?;
+        enclosing_meshes(flock, spot)?;
         let others = flock
             .relations
             .iter()
@@ -29,6 +37,15 @@ pub(in crate::scene) fn boids(flocks: &[Flock], spot: &Spot<'_>) -> Result<(), S
             );
             let help =
                 format!("relations to flocks of at most {MOST_BOIDS} boids, each counted anew");
+            return Err(spot.node.at.error(what, help));
+        }
+        let faces = u64::from(flock.solid_faces());
+        if faces > 0 && seen / 16 + 2 * faces > MOST_TURNS {
+            let what = format!(
+                "a boid of `flock.{}` may look at {seen} boids and {faces} faces of meshes, too many",
+                flock.name
+            );
+            let help = "obstacles with fewer faces, or relations to smaller flocks";
             return Err(spot.node.at.error(what, help));
         }
         for (at, relation) in flock.relations.iter().enumerate() {
@@ -77,6 +94,35 @@ fn upright_planes(flock: &Flock, spot: &Spot<'_>) -> Result<(), SceneError> {
             let help = "a `normal` with an x or a y, or a flock with `dimensions = 3`";
             return Err(spot.node.at.error(what, help));
         }
+    }
+    Ok(())
+}
+
+/// Meshes among obstacles have an inside, and not too many faces.
+fn enclosing_meshes(flock: &Flock, spot: &Spot<'_>) -> Result<(), SceneError> {
+    for (at, obstacle) in flock.obstacles.iter().enumerate() {
+        let ObstacleShape::Mesh { mesh, surface, .. } = &obstacle.shape else {
+            continue;
+        };
+        let path = format!("`flock.{}.obstacle.{at}`", flock.name);
+        if !surface.is_closed() {
+            let what = format!(
+                "{path}: {} has open edges, so nothing is inside of it",
+                mesh.name()
+            );
+            let help = "a mesh that encloses something, such as cube, cylinder, sphere or torus; or \
+                        `kind = \"plane\"`";
+            return Err(spot.node.at.error(what, help));
+        }
+    }
+    let faces = flock.solid_faces();
+    if faces > MOST_SOLID_FACES {
+        let what = format!(
+            "the obstacles of `flock.{}` have {faces} faces, too many",
+            flock.name
+        );
+        let help = format!("meshes of at most {MOST_SOLID_FACES} faces together");
+        return Err(spot.node.at.error(what, help));
     }
     Ok(())
 }

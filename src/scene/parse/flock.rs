@@ -1,6 +1,7 @@
 //! `[[flock]]`, with what is in it.
 
 use crate::scene::check;
+use crate::scene::files::Files;
 use crate::scene::read::{Reader, Spot};
 use crate::scene::schema::{FLOCK, GOAL, REGION};
 use crate::scene::values::{Quantity, choice, flag, list, text, variant, whole32};
@@ -10,17 +11,22 @@ use crate::scene::{
 };
 
 /// Reads all flocks: a relation may be to one that comes later.
-pub(super) fn flocks(spot: &Spot<'_>) -> Result<Vec<Flock>, SceneError> {
+pub(super) fn flocks(spot: &Spot<'_>, files: &Files) -> Result<Vec<Flock>, SceneError> {
     let names = list(spot, |_, spot| {
         let name = spot.node.entry("name").and_then(|name| name.node.text());
         Ok(name.unwrap_or_default().to_owned())
     })?;
-    let flocks = list(spot, |index, spot| flock(index, spot, &names))?;
+    let flocks = list(spot, |index, spot| flock(index, spot, &names, files))?;
     check::boids(&flocks, spot)?;
     Ok(flocks)
 }
 
-fn flock(index: usize, spot: &Spot<'_>, names: &[String]) -> Result<Flock, SceneError> {
+fn flock(
+    index: usize,
+    spot: &Spot<'_>,
+    names: &[String],
+    files: &Files,
+) -> Result<Flock, SceneError> {
     let path = match names[index].as_str() {
         name if check::is_name(name) => format!("flock.{name}"),
         _ => format!("flock.{index}"),
@@ -52,7 +58,9 @@ fn flock(index: usize, spot: &Spot<'_>, names: &[String]) -> Result<Flock, Scene
             list(spot, |_, spot| relation(index, spot, names))
         })?,
         goal: table.may("goal", goal)?,
-        obstacles: table.must("obstacle", |spot| list(spot, |_, spot| obstacle(spot)))?,
+        obstacles: table.must("obstacle", |spot| {
+            list(spot, |_, spot| obstacle(spot, files))
+        })?,
         drag: table.must("drag", Quantity::read)?,
         shape: shapes[table.must("shape", choice)?],
         size: table.must("size", Quantity::read)?,
@@ -100,7 +108,7 @@ fn goal(spot: &Spot<'_>) -> Result<Goal, SceneError> {
     })
 }
 
-fn obstacle(spot: &Spot<'_>) -> Result<Obstacle, SceneError> {
+fn obstacle(spot: &Spot<'_>, files: &Files) -> Result<Obstacle, SceneError> {
     let (kind, table) = variant(spot)?;
     let stay = || Ok([Side::Outside, Side::Inside][table.must("stay", choice)?]);
     let shape = match kind {
@@ -113,10 +121,24 @@ fn obstacle(spot: &Spot<'_>) -> Result<Obstacle, SceneError> {
             point: table.must("point", Quantity::read)?,
             normal: table.must("normal", check::direction)?,
         },
-        _ => ObstacleShape::Box {
+        "box" => ObstacleShape::Box {
             corners: corners(&table)?,
             stay: stay()?,
         },
+        _ => {
+            let (mesh, surface) = table.must("mesh", |spot| {
+                let mesh = files.mesh(spot)?;
+                let surface = files.surface(spot, &mesh, 1.0)?;
+                Ok((mesh, surface))
+            })?;
+            ObstacleShape::Mesh {
+                mesh,
+                surface,
+                position: table.must("position", Quantity::read)?,
+                scale: table.must("scale", Quantity::read)?,
+                stay: stay()?,
+            }
+        }
     };
     Ok(Obstacle {
         shape,

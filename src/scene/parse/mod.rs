@@ -95,7 +95,7 @@ fn scene(root: &Node, name: &str, files: &Files) -> Result<Scene, SceneError> {
         systems: table
             .may("system", |spot| systems(spot, files))?
             .unwrap_or_default(),
-        flocks: table.must("flock", flocks)?,
+        flocks: table.must("flock", |spot| flocks(spot, files))?,
         fires: table.must("fire", |spot| fires(spot, files))?,
         light: table.must("light", light)?,
         planet: table.may("planet", planet)?,

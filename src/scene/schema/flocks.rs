@@ -1,6 +1,6 @@
 //! The tables of flocks. A row is as in the other tables.
 
-use super::rows::{DIRECTION, PLACE, default, keyed, numbers, optional, required, whole};
+use super::rows::{DIRECTION, PLACE, default, keyed, numbers, optional, required, text, whole};
 use super::{Field, Kind, Variant};
 
 /// Keys of each `[[flock]]`.
@@ -10,9 +10,11 @@ pub const FLOCK: &[Field] = &[
     required("count", whole(1, 1_000_000), "500", "boids", "how many; all flocks together have at most 1_000_000", ""),
     default("dimensions", whole(2, 3), "2", "", "2: boids live in the plane of z = 0, and no z of the flock counts; 3: they live in space", ""),
     required("region", Kind::Table(REGION), "{ min = [0, 0, 0], max = [500, 300, 0] }", "", "where boids are at first", ""),
-    default("start_speed", numbers(1, 0.0, 1e4), "1", "world units a frame", "speed at first, in a random direction", ""),
-    keyed(default("max_speed", numbers(1, 1e-6, 1e4), "2", "world units a frame", "velocities are limited to it after each move", "")),
     default("mass", numbers(1, 1e-6, 1e6), "1", "", "what forces are divided by", ""),
+    keyed(default("size", numbers(1, 1e-6, 1e4), "3", "world units, pixels of a point", "base of the triangle, or diameter of the disc or of the cone's base", "")),
+    keyed(default("max_speed", numbers(1, 1e-6, 1e4), "2", "world units a frame", "velocities are limited to it after each move", "")),
+    keyed(default("color", numbers(3, 0.0, 1.0), "[1, 1, 1]", "display-referred red, green, blue", "colour", "")),
+    default("start_speed", numbers(1, 0.0, 1e4), "1", "world units a frame", "speed at first, in a random direction", ""),
     keyed(default("force", numbers(3, -1e4, 1e4), "[0, 0, 0]", "mass times world units a frame squared", "a constant force, such as gravity", "")),
     default("perception_radius", RADIUS, "60", "world units", "how far a boid sees, unless a relation says otherwise", ""),
     default("edges", Kind::Variants(EDGES), "{ kind = \"none\" }", "", "what happens at the ends of the world", ""),
@@ -21,8 +23,6 @@ pub const FLOCK: &[Field] = &[
     default("obstacle", Kind::List { variants: OBSTACLES, max: 16 }, "[]", "", "what boids turn away from and never enter, one `[[flock.obstacle]]` each; of those that overlap, the last counts", "Reynolds 1988"),
     keyed(default("drag", numbers(1, 0.0, 1.0), "0", "a share of the velocity", "how much of its velocity against the wind a boid loses each frame", "")),
     default("shape", Kind::Choice(&["triangle", "disc", "point", "cone"]), "\"triangle\"", "", "what a boid looks like: a triangle that points where it flies, or a disc; that of a point has its size in pixels; or a cone that points where it flies, with a round base, two and a half times as long as that is wide, and lit by `light`", ""),
-    keyed(default("size", numbers(1, 1e-6, 1e4), "3", "world units, pixels of a point", "base of the triangle, or diameter of the disc or of the cone's base", "")),
-    keyed(default("color", numbers(3, 0.0, 1.0), "[1, 1, 1]", "display-referred red, green, blue", "colour", "")),
     default("opacity", numbers(1, 0.0, 1.0), "1", "0 invisible, 1 opaque", "how much of what is behind it a boid hides", ""),
     default("trail_frames", whole(0, 64), "0", "frames", "how long the trail is that a boid draws behind it; it fades and narrows", ""),
     default("mirrored", Kind::Flag, "false", "", "whether each boid is drawn a second time, mirrored at the picture's upright middle line", ""),
@@ -77,6 +77,12 @@ pub const OBSTACLES: &[Variant] = &[
     Variant { name: "box", about: "boids stay outside a box along the axes, or inside it", fields: &[
         required("min", PLACE, "[-20, -20, -20]", "world units", "the corner with the least coordinates", ""),
         required("max", PLACE, "[20, 20, 20]", "world units", "the corner with the greatest", ""),
+        STAY, MARGIN, PUSH,
+    ] },
+    Variant { name: "mesh", about: "boids of a flock in space stay outside a mesh, or inside it; it has no open edges, and all of a flock have at most 10_000 faces", fields: &[
+        required("mesh", text(1000, false), "\"torus\"", "", "a file in the scene's folder that ends in .obj, .ply, .gltf or .glb; or cube, cylinder, sphere or torus, which need none", ""),
+        default("position", PLACE, "[0, 0, 0]", "world units", "where its origin is", ""),
+        default("scale", numbers(1, 1e-6, 1e4), "1", "world units", "what a unit of the mesh is", ""),
         STAY, MARGIN, PUSH,
     ] },
 ];
