@@ -400,7 +400,9 @@ mod tests {
             let words = declared.stride as usize / 4;
             let fields = fields(declared.name);
             match declared.count {
-                Count::Pixels(channels) => assert_eq!(fields.len(), channels as usize),
+                Count::Pixels(each) | Count::SurfacePixels(each) => {
+                    assert_eq!(fields.len(), each as usize, "{}", declared.name);
+                }
                 _ => assert_eq!(fields.len(), words, "{}", declared.name),
             }
             assert!(words == 1 || fields.iter().all(|(name, _)| !name.is_empty()));

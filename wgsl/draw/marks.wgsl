@@ -8,7 +8,7 @@
 // that flames leave to.
 
 #import motes::dispatch::linear_index
-#import motes::exact::{at_least_zero, dot3, f32_of_u32, less, min_exact, normalize_exact, reciprocal}
+#import motes::exact::{at_least_zero, dot3, f32_of_u32, less, max_exact, min_exact, normalize_exact, reciprocal}
 #import motes::emission::turned
 #import motes::layout::{
     COVERS_OF_BOIDS, COVERS_OF_MARKS, COVERS_OF_PARTICLES, COVERS_SEEN, COVER_NONE, Cover, DroppedFlame,
@@ -77,8 +77,10 @@ fn mark(fire: FireFrame, flame: DroppedFlame, age: u32) -> Cover {
     let grown = min_exact((f32_of_u32(age) + 1.0f) * fire.char_shape.w, 1.0f);
     let color = vec4<f32>(fire.char_look.xyz * (glow * glow), fire.char_look.w * grown);
     let slope = vec2<f32>(right, -up) * reciprocal(facing);
+    // As near as the nearest that it can have, so that all of it is before the surface that it is on.
+    let depth = max_exact(seen.depth - 0.5f * fire.char_shape.x, 0.5f * seen.depth);
     return slanted_disc_of(
-        seen.x, seen.y, radius_px, fire.char_shape.y, slope, Look(seen.depth, color, vec3<f32>(0.0f)),
+        seen.x, seen.y, radius_px, fire.char_shape.y, slope, Look(depth, color, vec3<f32>(0.0f)),
     );
 }
 

@@ -9,7 +9,8 @@ use crate::cpu::projection::project;
 use crate::cpu::reach::is_visible;
 use crate::cpu::shape::{Look, slanted_disc_of};
 use crate::exact::{
-    at_least_zero, dot3, f32_of_u32, less, min_exact, normalize_exact, reciprocal, shared_constants,
+    at_least_zero, dot3, f32_of_u32, less, max_exact, min_exact, normalize_exact, reciprocal,
+    shared_constants,
 };
 use crate::layout::{Cover, DroppedFlame, FRAME_ORTHOGRAPHIC, FireFrame};
 use crate::plan::FrameInputs;
@@ -59,7 +60,8 @@ fn mark(inputs: &FrameInputs, fire: &FireFrame, flame: &DroppedFlame, age: u32) 
     let [red, green, blue, opacity] = fire.char_look;
     let color = Vec3::new(red, green, blue) * (glow * glow);
     let look = Look {
-        depth: seen.depth,
+        // As near as the nearest that it can have.
+        depth: max_exact(seen.depth - 0.5 * size, 0.5 * seen.depth),
         color: Vec4::new(color.x, color.y, color.z, opacity * grown),
         lit: Vec3::ZERO,
     };
