@@ -401,7 +401,7 @@ mod tests {
             let fields = fields(declared.name);
             match declared.count {
                 Count::Pixels(each) | Count::SurfacePixels(each) => {
-                    assert_eq!(fields.len(), each as usize, "{}", declared.name);
+                    assert_eq!(fields.len(), each as usize * words, "{}", declared.name);
                 }
                 _ => assert_eq!(fields.len(), words, "{}", declared.name),
             }

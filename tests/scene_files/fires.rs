@@ -155,10 +155,6 @@ fn fires_that_are_at_odds_with_themselves_are_refused() {
 
 #[test]
 fn p25_a_matrix_that_makes_everything_flat_is_refused() {
-    let error = refused(&with(
-        &fire(FLAME),
-        "name = \"a\"",
-        "name = \"a\"\nparticle_matrix = [2, 1, 4, 2]",
-    ));
+    let error = refused(&fire(&format!("particle_matrix = [2, 1, 4, 2]\n{FLAME}")));
     assert!(error.message().contains("is singular"), "{error}");
 }

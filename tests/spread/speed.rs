@@ -169,7 +169,7 @@ fn p59_speed_goes_with_the_time_scale_and_against_the_heat_it_takes() {
 #[test]
 fn p52_p54_fluxes_by_the_formulas_go_with_what_they_should() {
     let fluxes = |lines: &str| {
-        let spread = format!("mesh = \"cube\"\nignition_heat = 0.5\nformula = {{ {lines} }}");
+        let spread = format!("mesh = \"cube\"\nformula = {{ {lines} }}");
         let scene = scene("", &spread, &["position = [0, 0, 1]"], "");
         let spread = scene.fires[0].spread.clone().expect("it spreads");
         spread.fluxes().map(f64::from)

@@ -52,12 +52,6 @@ pub(super) fn spread(spot: &Spot<'_>, files: &Files) -> Result<FireSpread, Scene
         surface,
     };
     check::ignited(&spread, &table)?;
-    if spread.formula.is_some() && spot.node.entry("ignition_heat").is_none() {
-        let what = format!("`{}` is missing", table.path_of("ignition_heat"));
-        let help = "add ignition_heat = 700000: joules a cubic metre, for `formula` is in SI units, and \
-                    what it is by itself is not";
-        return Err(table.at("formula").error(what, help));
-    }
     Ok(spread)
 }
 

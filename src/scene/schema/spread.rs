@@ -12,7 +12,7 @@ pub const SPREAD: &[Field] = &[
     keyed(default("time_scale", numbers(1, 0.0, 1e3), "0.04", "", "K, factor of all speeds; the thesis' slider goes from 0.004 to 0.4", "Perry 3.5.1")),
     keyed(default("opposed_flux", numbers(1, 0.0, 1e9), "0.09", "", "q_o, heat that reaches the fuel whichever way the wind is", "Perry 3.3.1")),
     keyed(default("concurrent_flux", numbers(1, 0.0, 1e9), "0.13", "", "q_c, heat that reaches it besides where the wind lays flames over it", "Perry 3.3.1")),
-    keyed(default("ignition_heat", numbers(1, 1e-6, 1e12), "0.5", "", "rho dh, heat that it takes to burn, joules a cubic metre where there is a `formula`, which needs it; pi times that is the K below equation 3.4", "Perry 3.3.1")),
+    keyed(default("ignition_heat", numbers(1, 1e-6, 1e12), "0.5", "", "rho dh, heat that it takes to burn, joules a cubic metre where there is a `formula`, and then some 700_000; pi times that is the K below equation 3.4", "Perry 3.3.1")),
     optional("formula", Kind::Table(FORMULA), "{ thickness = 0.002 }", "", "what opposed_flux and concurrent_flux are computed from, instead of those", "Perry 3.3.1"),
     keyed(optional("drop_distance", DISTANCE, "0.1", "world units", "d_d, how far a control point goes from one flame that it drops to the next; the thesis' slider goes from 0.01 to 1; a fifth of the mean edge if left out", "Perry 3.4")),
     keyed(optional("separation", DISTANCE, "0.05", "world units", "d_s, how far apart neighbours are when a point comes between, one in each frame; the thesis' slider goes from 0.01 to 0.2; a tenth of the mean edge if left out", "Perry 3.3.2")),
