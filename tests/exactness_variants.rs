@@ -232,6 +232,9 @@ fn a_run_that_begins_late_is_the_whole_run() {
 /// Frames of each scene in the bounded run: the whole one sees all deaths, too.
 const FEW_FRAMES: u32 = 30;
 
+/// The same of scenes whose fires spread: many flames are large in their pictures.
+const FEW_FRAMES_OF_SPREADS: u32 = 8;
+
 /// In the bounded run, adapters after the first leave out scenes whose kernels they have had.
 #[test]
 fn every_built_in_scene_passes_check_on_every_adapter() {
@@ -243,7 +246,13 @@ fn every_built_in_scene_passes_check_on_every_adapter() {
             let frames = if common::full() {
                 scene.frames
             } else {
-                default_frames(&scene).min(FEW_FRAMES)
+                let spreads = scene.fires.iter().any(|fire| fire.spread.is_some());
+                let few = if spreads {
+                    FEW_FRAMES_OF_SPREADS
+                } else {
+                    FEW_FRAMES
+                };
+                default_frames(&scene).min(few)
             };
             let scene = match common::full() {
                 true => scene,

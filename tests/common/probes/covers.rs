@@ -18,6 +18,10 @@ const KINDS: Kinds = Kinds(true, true, true, true, true, true);
 fn quarters(word: u32, shift: u32, count: u32) -> f32 {
     return f32_of_u32((word >> shift) & ((1u << count) - 1u)) * 0.25f;
 }
+// How far to the left and up some segments end.
+fn far(i: u32) -> vec2<f32> {
+    return vec2<f32>(f32_of_u32((i >> 5u) & 1u), f32_of_u32((i >> 11u) & 1u)) * 262144.0f;
+}
 fn some(kind: u32, w: u32, i: u32) -> Cover {
     let alpha = quarters(w, 24u, 3u) * 0.625f;
     let color = vec4<f32>(0.3f, quarters(i, 2u, 5u), 0.9f, alpha);
@@ -30,7 +34,7 @@ fn some(kind: u32, w: u32, i: u32) -> Cover {
         case 0u: { return disc_of(a.x, a.y, size, 0.0f, look); }
         case 1u: { return disc_of(a.x, a.y, size, quarters(w, 18u, 3u) * 0.5f, look); }
         case 2u: { return square_of(a.x, a.y, size, look); }
-        case 3u: { return segment_of(a, b, size * 0.3f, look); }
+        case 3u: { return segment_of(a, b - far(i), size * 0.3f, look); }
         case 6u: { return slanted_disc_of(a.x, a.y, size, quarters(w, 18u, 3u) * 0.5f, b * 0.1f - 0.6f, look); }
         case 5u: { return cone_of(a, b, size, quarters(w, 12u, 3u) * 0.5f - 0.9f, look); }
         default: { return triangle_of(a, b, c, look); }
@@ -78,6 +82,11 @@ fn quarters(word: u32, shift: u32, count: u32) -> f32 {
     f32_of_u32((word >> shift) & ((1 << count) - 1)) * 0.25
 }
 
+/// How far to the left and up some segments end.
+fn far(i: u32) -> Vec2 {
+    Vec2::new(f32_of_u32((i >> 5) & 1), f32_of_u32((i >> 11) & 1)) * 262_144.0
+}
+
 fn some(r: &Arguments, kind: u32) -> Cover {
     let (w, i) = (r.w, r.i);
     let alpha = quarters(w, 24, 3) * 0.625;
@@ -94,7 +103,7 @@ fn some(r: &Arguments, kind: u32) -> Cover {
         0 => disc_of(a.x, a.y, size, 0.0, &look),
         1 => disc_of(a.x, a.y, size, quarters(w, 18, 3) * 0.5, &look),
         2 => square_of(a.x, a.y, size, &look),
-        3 => segment_of(a, b, size * 0.3, &look),
+        3 => segment_of(a, b - far(i), size * 0.3, &look),
         6 => slanted_disc_of(
             a.x,
             a.y,
