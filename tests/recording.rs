@@ -190,7 +190,7 @@ fn a_snapshot_goes_on_with_the_same_bits_on_every_adapter() {
         let snapshot = run.snapshot().expect("it reads").expect("a frame");
         assert_eq!((snapshot.frame(), snapshot.live()), (8, 360));
         let bytes = bytes_of(&snapshot);
-        assert_eq!(bytes.len(), 36 + 32 * 360);
+        assert_eq!(bytes.len(), 40 + 32 * 360);
         let read = Snapshot::from_bytes(&bytes).expect("what was written");
         assert_eq!(read, snapshot);
         for to in &adapters {
@@ -226,7 +226,7 @@ fn a_damaged_or_foreign_snapshot_is_refused() {
     }
     let longer = [&bytes[..], &[0; 4]].concat();
     assert_eq!(read(&longer), Err(SnapshotError::Damaged));
-    for other in [&b""[..], &b"motes-s\x04"[..], &[0xff; 99]] {
+    for other in [&b""[..], &b"motes-s\x05"[..], &[0xff; 99]] {
         assert_eq!(read(other), Err(SnapshotError::NotASnapshot));
     }
     let smaller = Scene {
