@@ -86,8 +86,8 @@ fn fire_frame(
     let sunk = (f64::from(fire.sampling) * f64::from(frame)) % PERIOD;
     let offset = up * -(sunk as f32);
     let is_strip = fire.form == FlameForm::Strip;
-    let flags = u32::from(fire.normalised) * layout::FIRE_NORMALISED
-        | u32::from(is_strip) * layout::FIRE_STRIP;
+    let flag = |is_set: bool, flag: u32| if is_set { flag } else { 0 };
+    let flags = flag(fire.normalised, layout::FIRE_NORMALISED) | flag(is_strip, layout::FIRE_STRIP);
     let burning = fire.burning;
     let (char_look, char_shape) = char_of(fire);
     FireFrame {
