@@ -5,15 +5,14 @@ use std::collections::HashMap;
 
 use glam::{IVec3, Vec2, Vec3};
 
+use super::unfold::unfolded;
 use super::walk::vec2;
-use crate::cpu::walk::{
-    crowd_cell, dot2, exit_of, flattened, normalized2, position_on, rotated, rotated_back,
-};
+use crate::cpu::walk::{crowd_cell, dot2};
 use crate::exact::{
     bits_of, dot3, less, less_equal, max_exact, min_exact, reciprocal, shared_constants,
     square_root,
 };
-use crate::layout::{NO_EDGE, POINT_BLOCKED, SPREAD_BLOCKS, SpreadPoint, Walker};
+use crate::layout::{POINT_BLOCKED, SPREAD_BLOCKS, SpreadPoint, Walker};
 use crate::plan::{FrameInputs, SpreadTables};
 
 shared_constants! {
@@ -49,37 +48,7 @@ pub(super) fn enlist(inputs: &FrameInputs, points: &[SpreadPoint]) -> Crowd {
 }
 
 fn seen_from(tables: &SpreadTables, here: &SpreadPoint, there: &SpreadPoint) -> Option<Vec2> {
-    let from = vec2(here.place[0], here.place[1]);
-    let goal = Vec3::from(there.position());
-    let mut place = from;
-    let mut face = here.place[2];
-    let mut skip = 0;
-    let mut turn = Vec2::new(1.0, 0.0);
-    let mut shift = Vec2::ZERO;
-    for _ in 0..MOST_AWAY {
-        let by = [turn.x, turn.y];
-        if face == there.place[2] {
-            return Some(rotated(by, vec2(there.place[0], there.place[1])) + shift - from);
-        }
-        let frame_of = &tables.faces[face as usize];
-        let way = normalized2(flattened(frame_of, goal - position_on(frame_of, place)));
-        let first = 3 * face as usize;
-        let edges = &tables.edges[first..first + 3];
-        let (side, distance) = exit_of(place, way, skip, edges);
-        let edge = &edges[side as usize];
-        let [beyond, ..] = edge.ties;
-        if beyond == NO_EDGE {
-            return None;
-        }
-        let [cos, sin, dx, dy] = edge.turn;
-        let moved = Vec2::new(dx, dy);
-        place = rotated([cos, sin], place + way * distance) + moved;
-        turn = rotated_back([cos, sin], turn);
-        shift -= rotated([turn.x, turn.y], moved);
-        face = beyond / 3;
-        skip = 1 << (beyond % 3);
-    }
-    None
+    unfolded(tables, here, there, MOST_AWAY).map(|(way, _)| way)
 }
 
 fn squared_to(here: &SpreadPoint, there: &SpreadPoint) -> f32 {

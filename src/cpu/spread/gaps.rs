@@ -3,16 +3,15 @@
 
 use glam::{Vec2, Vec3};
 
+use super::unfold::unfolded;
 use super::walk::vec2;
 use crate::cpu::drops::drops_of;
-use crate::cpu::walk::{
-    dot2, exit_of, flattened, normalized2, position_on, raised, rotated, rotated_back,
-};
+use crate::cpu::walk::{dot2, flattened, normalized2, raised, rotated};
 use crate::exact::{
     at_least_zero, bits_of, length3, less, reciprocal, shared_constants, square_root,
 };
 use crate::layout::{
-    GAP_CAME_TO_REST, GAP_DROPS_SHIFT, GAP_INSERTS, GAP_MOVES, NO_EDGE, POINT_ENDED, POINT_MOVES,
+    GAP_CAME_TO_REST, GAP_DROPS_SHIFT, GAP_INSERTS, GAP_MOVES, POINT_ENDED, POINT_MOVES,
     SPREAD_MIDPOINT, SpreadPoint, Walker,
 };
 use crate::plan::{FrameInputs, SpreadTables};
@@ -28,38 +27,12 @@ pub(super) fn seen_from(
     here: &SpreadPoint,
     there: &SpreadPoint,
 ) -> (Vec2, Vec2) {
-    let from = vec2(here.place[0], here.place[1]);
     let there_heading = vec2(there.course[0], there.course[1]);
-    let goal = Vec3::from(there.position());
-    let mut place = from;
-    let mut face = here.place[2];
-    let mut skip = 0;
-    let mut turn = Vec2::new(1.0, 0.0);
-    let mut shift = Vec2::ZERO;
-    for _ in 0..MOST_BETWEEN {
-        let by = [turn.x, turn.y];
-        if face == there.place[2] {
-            let flat = rotated(by, vec2(there.place[0], there.place[1])) + shift;
-            return (flat - from, rotated(by, there_heading));
-        }
-        let frame_of = &tables.faces[face as usize];
-        let way = normalized2(flattened(frame_of, goal - position_on(frame_of, place)));
-        let first = 3 * face as usize;
-        let edges = &tables.edges[first..first + 3];
-        let (side, distance) = exit_of(place, way, skip, edges);
-        let edge = &edges[side as usize];
-        let [beyond, ..] = edge.ties;
-        if beyond == NO_EDGE {
-            break;
-        }
-        let [cos, sin, dx, dy] = edge.turn;
-        let moved = Vec2::new(dx, dy);
-        place = rotated([cos, sin], place + way * distance) + moved;
-        turn = rotated_back([cos, sin], turn);
-        shift -= rotated([turn.x, turn.y], moved);
-        face = beyond / 3;
-        skip = 1 << (beyond % 3);
+    if let Some((way, by)) = unfolded(tables, here, there, MOST_BETWEEN) {
+        return (way, rotated(by, there_heading));
     }
+    // As if the surface were flat between them.
+    let goal = Vec3::from(there.position());
     let own_face = &tables.faces[here.place[2] as usize];
     let away = goal - Vec3::from(here.position());
     let its_face = &tables.faces[there.place[2] as usize];

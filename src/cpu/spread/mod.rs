@@ -6,6 +6,7 @@ pub mod drop;
 pub mod front;
 pub mod gaps;
 pub mod insert;
+mod unfold;
 pub mod walk;
 
 use std::sync::Arc;
