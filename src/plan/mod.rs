@@ -41,7 +41,7 @@ pub use uses::Uses;
 
 use std::sync::Arc;
 
-use crate::scene::{Blend, Camera, Fire, Owner, Scene, Track};
+use crate::scene::{Blend, Camera, Fire, FireSpread, Owner, Scene, Track};
 
 /// Why a scene cannot become a plan: it is the scene's fault, and the message says what to change.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -50,6 +50,17 @@ pub struct PlanError {
     pub message: String,
     /// What would be right.
     pub help: String,
+    /// The key of the scene that is at fault, as [`load_with`](crate::scene::load_with) takes its
+    /// path, such as `flock.crows.count`; `None` if there is no one key.
+    pub key: Option<String>,
+}
+
+impl PlanError {
+    /// With the key that is at fault.
+    fn of_key(mut self, key: impl Into<String>) -> Self {
+        self.key = Some(key.into());
+        self
+    }
 }
 
 impl std::fmt::Display for PlanError {
@@ -437,7 +448,14 @@ fn point_capacity(scene: &Scene) -> Result<u32, PlanError> {
     Err(PlanError {
         message: format!("this scene's fires may have {wanted} control points in all"),
         help: format!("`max_points` that sum to at most {MOST}"),
+        key: costliest(scene, "spread.max_points", |spread| spread.max_points),
     })
+}
+
+/// The key below the fire that has the most of it.
+fn costliest(scene: &Scene, key: &str, most: impl Fn(&FireSpread) -> u32) -> Option<String> {
+    let (fire, _) = spread::spreads_of(scene).max_by_key(|(_, spread)| most(spread))?;
+    Some(format!("fire.{}.{key}", scene.fires[fire].name))
 }
 
 /// Flames that control points may have dropped at once, of all fires together.
@@ -457,6 +475,9 @@ fn mark_places(scene: &Scene) -> Result<u32, PlanError> {
     Err(PlanError {
         message: format!("this scene's fires may leave {wanted} marks in all"),
         help: format!("`max_marks` that sum to at most {MOST}"),
+        key: costliest(scene, "spread.char.max_marks", |spread| {
+            spread.char.map_or(0, |char| char.max_marks)
+        }),
     })
 }
 
@@ -473,6 +494,7 @@ fn check_bounds(scenes: &[&Scene]) -> Result<(), PlanError> {
     Err(PlanError {
         message: format!("this scene has {most} extinctions by place in all"),
         help: format!("at most {}", Plan::MOST_BOUNDS),
+        key: None,
     })
 }
 
@@ -540,8 +562,7 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
             help: "the list of systems, their names, parents and `blend`, whether there is a planet, whether a ground or pillars, the number of surfaces, their meshes and `crease_degrees`, the flocks' and fires' names and counts, `trail_frames`, what fires spread over from where and their `max_points`, the \
                    number of layers, the image size, the seed and the capacity stay as the scene has \
                    them"
-                .into(),
-        });
+                .into(), key: None });
     }
     Ok(())
 }
