@@ -31,6 +31,7 @@ pub mod spread;
 pub(crate) mod sprite;
 pub mod steering;
 pub mod strip;
+pub mod stroke;
 pub mod systems;
 pub mod tree;
 pub mod urge;
@@ -91,8 +92,10 @@ pub struct CpuBackend {
     /// Whether anything covers; if not, what follows is empty.
     has_covers: bool,
     covers: Vec<Cover>,
-    /// How many of them are of particles, of boids, of marks and of fronts.
-    families: [usize; 4],
+    /// How many of them are of particles, of boids, of marks, of fronts and of strokes.
+    families: [usize; 5],
+    /// As [`Plan::stroke_records`] has it.
+    stroke_records: [u32; 2],
     cover_rg: Vec<[u32; 2]>,
     cover_bt: Vec<[u32; 2]>,
     image: Vec<u32>,
@@ -147,7 +150,8 @@ impl CpuBackend {
             light: LightSums::new(plan.width, plan.height),
             has_covers: plan.uses.covers,
             covers: Vec::new(),
-            families: [0; 4],
+            families: [0; 5],
+            stroke_records: plan.stroke_records,
             cover_rg: try_zeroed(covered_pixels, "covered pixels")?,
             cover_bt: try_zeroed(covered_pixels, "covered pixels")?,
             image: try_zeroed(pixels, "pixels")?,
@@ -225,7 +229,17 @@ impl CpuBackend {
                 self.flocks.shapes(inputs, &mut self.covers);
                 let of_boids = self.covers.len() - of_particles;
                 let [marks, fronts] = self.spreads.shapes(inputs, &mut self.covers);
-                self.families = [of_particles, of_boids, marks, fronts];
+                let before = self.covers.len();
+                if self.stroke_records[1] > 0 {
+                    let kinds = (self.stroke_records[0], self.stroke_records[1]);
+                    let particles = self.particles.par_iter().with_min_len(64);
+                    let records = particles.flat_map_iter(|particle| {
+                        draw::strokes::strokes(particle, inputs, rows, kinds)
+                    });
+                    self.covers.par_extend(records);
+                }
+                let strokes = self.covers.len() - before;
+                self.families = [of_particles, of_boids, marks, fronts, strokes];
             }
             Stage::Cover if self.has_covers => {
                 let (nearness, _) = self.surface_nearness.as_chunks::<4>();
@@ -453,8 +467,8 @@ impl CpuBackend {
     fn cover_counts(&self) -> Vec<u32> {
         let is_something = |cover: &&Cover| cover.shape[2] != COVER_NONE;
         let something = self.covers.iter().filter(is_something).count();
-        let [particles, boids, marks, fronts] = self.families;
-        let counts = [something, particles, boids, marks, fronts, 0, 0, 0];
+        let [particles, boids, marks, fronts, strokes] = self.families;
+        let counts = [something, particles, boids, marks, fronts, strokes, 0, 0];
         counts.map(|count| count as u32).to_vec()
     }
 }

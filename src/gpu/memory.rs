@@ -249,7 +249,7 @@ fn usage_of(name: &str) -> wgpu::BufferUsages {
     let role = crate::plan::buffer(name).map(|declared| declared.role);
     let kind = match (name, role) {
         ("frame", _) => Usage::UNIFORM | Usage::COPY_DST,
-        ("spread_counts" | "winds" | "counts" | "surface_light", _) => {
+        ("spread_counts" | "winds" | "counts" | "surface_light" | "stroke_light", _) => {
             Usage::UNIFORM | Usage::STORAGE | Usage::COPY_DST
         }
         // Vertices, for callers who draw particles themselves.

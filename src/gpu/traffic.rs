@@ -50,6 +50,8 @@ pub struct Load {
     pub boid_covers: u64,
     /// Those of them that are of boids' trails.
     pub trail_segments: u64,
+    /// Those of them that are of strokes.
+    pub stroke_covers: u64,
     /// Those of them that are in sight.
     pub seen_covers: u64,
     /// Triangles of surfaces.
@@ -321,6 +323,9 @@ static TABLE: &[Line] = &[
     }),
     ("draw/front_lines", |load| {
         (load.points, load.points * (POINT + COVER))
+    }),
+    ("draw/strokes", |load| {
+        (load.live, load.live * PARTICLE + load.stroke_covers * COVER)
     }),
     ("draw/cover_work", |_| {
         // Counts of families, their sum, what the sort and one round are dispatched by.

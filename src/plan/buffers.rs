@@ -6,7 +6,7 @@ use crate::layout::{
     FireFrame, Flame, FlameDisc, FlameLight, FlockFrame, Frame, FrameStats, Ground, Ignition, Lamp,
     ListedFlame, Node, Obstacle, Particle, Pillar, Planet, Pose, ROWS_A_SOLID_FACE, Relation,
     SpreadCounts, SpreadEdge, SpreadFace, SpreadFeature, SpreadFrame, SpreadPoint, StripJoint,
-    SurfaceFrame, SurfaceLight, SystemFrame, SystemRow, Walker, Wind,
+    StrokeLight, SurfaceFrame, SurfaceLight, SystemFrame, SystemRow, Walker, Wind,
 };
 
 /// What a buffer is for.
@@ -269,6 +269,13 @@ pub static BUFFERS: &[Buffer] = {
             Input,
             "SurfaceLight",
             size_of::<SurfaceLight>(),
+            Count::Fixed(1),
+        ),
+        buffer_of(
+            "stroke_light",
+            Input,
+            "StrokeLight",
+            size_of::<StrokeLight>(),
             Count::Fixed(1),
         ),
         buffer_of(

@@ -301,6 +301,8 @@ pub static STAGES: &[StageInfo] = &[
             "control_points",
             "dropped_flames",
             "layer_planes",
+            "stroke_light",
+            "lamps",
         ],
         writes: &["covers", "cover_counts"],
         draws: true,

@@ -85,6 +85,7 @@ pub const BUILTIN: &[BuiltinScene] = builtin![
     "two-flocks",
     "two-flocks-predators",
     "wall-spread",
+    "white-sand",
 ];
 
 /// Files that built-in scenes name, by their paths.

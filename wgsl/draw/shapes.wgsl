@@ -1,7 +1,7 @@
 // shapes: what of the particles covers, as it is seen.
 //
 // Reeves 1983, 5: particles as single objects that reflect light. One invocation a particle of one
-// page; those that only glow, are out of sight or in another layer leave a record of nothing.
+// page; those that only glow, are strokes, out of sight or in another layer leave a record of nothing.
 // Reads: frame, system_frames, rows, counts, particles, layer_planes. Writes: covers, cover_counts
 // (word 0: how many records are of something, by atomic adds; word 1: how many there are).
 // Invariant: record i is that of particle i, so records are in the order of identities.
@@ -10,7 +10,7 @@
 #import motes::exact::{dot3, f32_of_u32, less}
 #import motes::reach::is_visible
 #import motes::layout::{
-    COVERS_OF_PARTICLES, COVERS_SEEN, COVER_NONE, Counts, Cover, Frame, Particle, ROW_LIT_SPHERE, ROW_OVER, ROW_SOFTNESS_SHIFT,
+    COVERS_OF_PARTICLES, COVERS_SEEN, COVER_NONE, Counts, Cover, Frame, PARTICLE_STROKE, Particle, ROW_LIT_SPHERE, ROW_OVER, ROW_SOFTNESS_SHIFT,
     SystemFrame, SystemRow,
 }
 #import motes::particle::{age_of, row_index, slot_of}
@@ -22,6 +22,8 @@ const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 const STREAKS: bool = #{STREAKS};
 const RECTANGLES: bool = #{RECTANGLES};
 const RATE_SPREADS: bool = #{RATE_SPREADS};
+// Whether any is seen as its whole trajectory.
+const STROKES: bool = #{STROKES};
 // Whether the picture has layers.
 const LAYERS: bool = #{LAYERS};
 
@@ -88,7 +90,8 @@ fn shapes(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let features = Features(STREAKS, RECTANGLES, RATE_SPREADS, false);
     let sprite = sprite_of(frame, system_frames[slot], row, particle, features);
     let here = !LAYERS || frame.layer == 0u || layer_of(sprite.world) == frame.layer;
-    let is_seen = (row.kinds.w & ROW_OVER) != 0u && here && less(0.0f, sprite.surface.w)
+    let is_stroke = STROKES && row.kinds.y == PARTICLE_STROKE;
+    let is_seen = (row.kinds.w & ROW_OVER) != 0u && !is_stroke && here && less(0.0f, sprite.surface.w)
         && is_visible(frame, sprite.start, sprite.end, sprite.radius_px);
     var cover = Cover(vec4<u32>(0u), vec4<u32>(0u, 0u, COVER_NONE, 0u), vec4<u32>(0u), vec4<u32>(0u));
     if is_seen {

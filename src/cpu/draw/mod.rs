@@ -14,5 +14,6 @@ pub mod shapes;
 pub mod splat;
 pub mod strip_joints;
 pub mod strips;
+pub mod strokes;
 pub mod surface;
 pub mod surface_raster;

@@ -10,7 +10,8 @@ use crate::cpu::shape::{Look, disc_of, segment_of, square_of};
 use crate::cpu::sprite::{Sprite, sprite_of};
 use crate::exact::{f32_of_u32, less, shared_constants};
 use crate::layout::{
-    Cover, Frame, Particle, ROW_LIT_SPHERE, ROW_OVER, ROW_SOFTNESS_SHIFT, SystemRow,
+    Cover, Frame, PARTICLE_STROKE, Particle, ROW_LIT_SPHERE, ROW_OVER, ROW_SOFTNESS_SHIFT,
+    SystemRow,
 };
 use crate::plan::FrameInputs;
 
@@ -49,7 +50,7 @@ pub fn shapes(particle: &Particle, inputs: &FrameInputs, rows: &[SystemRow]) -> 
     let frame = &inputs.frame;
     let birth_frame = frame.frame.wrapping_sub(particle.age(frame.frame));
     let row = &rows[row_index(particle.slot(), birth_frame, frame.row_mask)];
-    if row.kinds[3] & ROW_OVER == 0 {
+    if row.kinds[3] & ROW_OVER == 0 || row.kinds[1] == PARTICLE_STROKE {
         return Cover::default();
     }
     let sprite = sprite_of(inputs, row, particle);

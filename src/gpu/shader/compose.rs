@@ -77,6 +77,7 @@ pub(super) const SWITCHES: &[&str] = &[
     "MIRRORS",
     "CONES",
     "MARKS",
+    "STROKES",
     "TRAILS",
     "VIEWS",
     "NEAREST",

@@ -35,6 +35,7 @@ fn system(index: usize, node: &Node, files: &Files) -> Result<System, SceneError
         ParticleShape::Sphere,
         ParticleShape::Rectangle,
         ParticleShape::Streak,
+        ParticleShape::Stroke,
     ];
     let axes = [
         EjectionAxis::Up,
@@ -84,6 +85,9 @@ fn system(index: usize, node: &Node, files: &Files) -> Result<System, SceneError
         shading: [Shading::Flat, Shading::LitSphere][table.must("shading", choice)?],
         edge_softness: table.must("edge_softness", Quantity::read)?,
         streak_light: lights[table.must("streak_light", choice)?],
+        stroke_taper: table.must("stroke_taper", Quantity::read)?,
+        stroke_pieces: table.must("stroke_pieces", whole32)?,
+        stroke_shadow: table.must("stroke_shadow", Quantity::read)?,
         intensity_threshold: table.may("intensity_threshold", Quantity::read)?,
         intensity: [Intensity::Brightest, Intensity::Luminance][table.must("intensity", choice)?],
         extinctions: table.must("extinction", |spot| list(spot, |_, spot| extinction(spot)))?,
@@ -96,6 +100,7 @@ fn system(index: usize, node: &Node, files: &Files) -> Result<System, SceneError
     };
     check::frames(system.first_frame, system.end_frame, &table)?;
     check::triggers(&system, &table)?;
+    check::stroke(&system, &table)?;
     if let Some(lifetime) = system.lifetime {
         check::lifetime(lifetime, &table)?;
     }
