@@ -19,7 +19,7 @@ shared_constants! {
     /// The mean light of a thin cylinder's visible half, in powers of a cosine.
     const HALF_LIT: f32 = 0.25;
     /// The first power's factor.
-    const HALF_LIT_BY_COSINE: f32 = 0.392_699_08;
+    const HALF_LIT_BY_COSINE: f32 = std::f32::consts::FRAC_PI_8;
     /// The second power's.
     const HALF_LIT_BY_SQUARE: f32 = 0.142_699_08;
 }
