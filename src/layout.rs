@@ -5,6 +5,7 @@ pub mod flame;
 pub mod flock;
 pub mod ground;
 pub mod planet;
+pub mod shade;
 pub mod spread;
 pub mod stroke;
 pub mod surface;
@@ -18,6 +19,7 @@ pub use flame::*;
 pub use flock::*;
 pub use ground::*;
 pub use planet::*;
+pub use shade::*;
 pub use spread::*;
 pub use stroke::*;
 pub use surface::*;
@@ -151,6 +153,8 @@ shared_constants! {
     pub const ROW_OVER: u32 = 32;
     /// They are shaded as spheres.
     pub const ROW_LIT_SPHERE: u32 = 64;
+    /// They are parts of a cloud: lit as far as the light comes through the others.
+    pub const ROW_LIT_CLOUD: u32 = 128;
     /// How soft their edge is stands above this bit, in 65,535ths.
     pub const ROW_SOFTNESS_SHIFT: u32 = 16;
     /// Word of `cover_counts`: records of something.

@@ -192,6 +192,7 @@ impl Lane {
             trail_segments: plan.trail_segments(),
             stroke_covers: count(COVERS_OF_STROKES),
             seen_covers: count(COVERS_SEEN),
+            shade_cells: plan.shade_cells.pow(3).into(),
             faces: plan.surface_face_count.into(),
             surface_pixels,
             uses: plan.uses,

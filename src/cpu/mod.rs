@@ -25,6 +25,7 @@ pub mod pillar;
 pub mod projection;
 pub mod raster;
 pub mod reach;
+pub mod shade;
 pub mod shape;
 pub mod solid;
 pub mod spread;
@@ -94,6 +95,9 @@ pub struct CpuBackend {
     covers: Vec<Cover>,
     /// How many of them are of particles, of boids, of marks, of fronts and of strokes.
     families: [usize; 5],
+    /// Empty if clouds throw no shadows, as the one below.
+    shade_sums: Vec<u32>,
+    shade_light: Vec<u32>,
     /// As [`Plan::stroke_records`] has it.
     stroke_records: [u32; 2],
     cover_rg: Vec<[u32; 2]>,
@@ -151,6 +155,8 @@ impl CpuBackend {
             has_covers: plan.uses.covers,
             covers: Vec::new(),
             families: [0; 5],
+            shade_sums: try_zeroed(plan.shade_cells.pow(3) as usize, "cells")?,
+            shade_light: try_zeroed(plan.shade_cells.pow(3) as usize, "cells")?,
             stroke_records: plan.stroke_records,
             cover_rg: try_zeroed(covered_pixels, "covered pixels")?,
             cover_bt: try_zeroed(covered_pixels, "covered pixels")?,
@@ -214,8 +220,14 @@ impl CpuBackend {
                 let (nearness, _) = self.surface_nearness.as_chunks::<4>();
                 self.flames.strips(inputs, &self.light, nearness);
             }
+            Stage::Shade => {
+                self.shade_sums = draw::shade::deposit(&self.particles, inputs, &self.rows);
+                let cells = inputs.shade_boxes[0].kinds[0] as usize;
+                self.shade_light = draw::shade::shade(&self.shade_sums, cells);
+            }
             Stage::Shapes if self.has_covers => {
                 let rows = &self.rows;
+                let shade_light = &self.shade_light;
                 self.covers.clear();
                 let room = self.covers.try_reserve(self.particles.len());
                 room.map_err(|_| {
@@ -223,7 +235,7 @@ impl CpuBackend {
                     BackendError::OutOfMemory(format!("{len} records of what covers"))
                 })?;
                 let records = self.particles.par_iter().with_min_len(CHUNK / 8);
-                let record = |particle| draw::shapes::shapes(particle, inputs, rows);
+                let record = |particle| draw::shapes::shapes(particle, inputs, rows, shade_light);
                 records.map(record).collect_into_vec(&mut self.covers);
                 let of_particles = self.covers.len();
                 self.flocks.shapes(inputs, &mut self.covers);
@@ -549,6 +561,8 @@ impl Backend for CpuBackend {
             "dropped_flames" => bytemuck::cast_slice(&self.spreads.dropped).to_vec(),
             "ring_spans" => bytemuck::cast_slice(&self.spreads.ring_spans).to_vec(),
             "spread_counts" => bytemuck::cast_slice(&[self.spreads.counts]).to_vec(),
+            "shade_sums" => self.shade_sums.clone(),
+            "shade_light" => self.shade_light.clone(),
             "covers" => try_copied(bytemuck::cast_slice(&self.covers), "what covers")?,
             "cover_counts" => self.cover_counts(),
             "cover_rg" => bytemuck::cast_slice(&self.cover_rg).to_vec(),

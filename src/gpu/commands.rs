@@ -79,6 +79,8 @@ enum Work {
     FrontLines,
     /// Page by page, as the splat's dispatches say, told how many records each has, if there are strokes.
     Strokes,
+    /// One a column of the cells in which clouds throw shadows.
+    ShadeColumns,
     /// One for every 32 flames that control points may have dropped, told how many those are.
     FlameRuns,
     /// One invocation, told how many points and flames there may be.
@@ -404,6 +406,16 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
         stage: Stage::Surface,
         kernel: "draw/surface",
         work: Work::EachPixel,
+    },
+    KernelUse {
+        stage: Stage::Shade,
+        kernel: "draw/deposit",
+        work: Work::LivePages,
+    },
+    KernelUse {
+        stage: Stage::Shade,
+        kernel: "draw/shade",
+        work: Work::ShadeColumns,
     },
     KernelUse {
         stage: Stage::Shapes,
@@ -787,6 +799,7 @@ impl GpuBackend {
                 let size = Size::Indirect(paging.splat_dispatch(page));
                 push(page as usize, 0, &[page, pieces, records], size)
             }),
+            Work::ShadeColumns => push(0, 0, &[], direct(plan.shade_cells.pow(2))),
             Work::Marks | Work::FrontLines | Work::Strokes => Ok(()),
             Work::Dropping => push(0, 0, &[plan.dropped_places], direct(plan.point_capacity)),
             Work::FlameRuns => {

@@ -54,6 +54,8 @@ pub struct Load {
     pub stroke_covers: u64,
     /// Those of them that are in sight.
     pub seen_covers: u64,
+    /// Cells in which clouds throw shadows on themselves.
+    pub shade_cells: u64,
     /// Triangles of surfaces.
     pub faces: u64,
     /// Pixels with some triangle in them.
@@ -307,6 +309,12 @@ static TABLE: &[Line] = &[
     }),
     ("draw/surface", |load| {
         (load.pixels, load.pixels * 12 * WORD)
+    }),
+    ("draw/deposit", |load| {
+        (load.live, load.live * PARTICLE + load.shade_cells * WORD)
+    }),
+    ("draw/shade", |load| {
+        (load.shade_cells, load.shade_cells * 2 * WORD)
     }),
     ("draw/shapes", |load| {
         (load.live, load.live * (PARTICLE + COVER))

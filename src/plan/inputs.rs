@@ -7,6 +7,7 @@ use super::flock::flocks_of;
 use super::ground::{ground_of, has_ground};
 use super::lights::light_roots;
 use super::planet::{lamps_of, outline_of, planet_of};
+use super::shade::box_of;
 use super::spread::spread_frames;
 use super::stroke::light_of;
 use super::surface::surfaces_of;
@@ -15,8 +16,8 @@ use super::tree::{bears_systems, broods, pose_of, row_spread};
 use super::wind::winds_of;
 use crate::layout::{
     AgeLook, Bound, Brood, FireFrame, FlockFrame, Frame, Ground, Ignition, Lamp, ListedFlame,
-    Obstacle, Pillar, Planet, Pose, Relation, SYSTEM_BEARS_SYSTEMS, SpreadFrame, StrokeLight,
-    SurfaceFrame, SurfaceLight, SystemFrame, SystemRow, Wind,
+    Obstacle, Pillar, Planet, Pose, Relation, SYSTEM_BEARS_SYSTEMS, ShadeBox, SpreadFrame,
+    StrokeLight, SurfaceFrame, SurfaceLight, SystemFrame, SystemRow, Wind,
 };
 use crate::scene::Scene;
 
@@ -56,6 +57,8 @@ pub struct FrameInputs {
     pub surface_lights: Vec<SurfaceLight>,
     /// What falls on strokes, if there are any.
     pub stroke_lights: Vec<StrokeLight>,
+    /// The box in which clouds throw shadows on themselves, if there is one.
+    pub shade_boxes: Vec<ShadeBox>,
     /// One a flock.
     pub flocks: Vec<FlockFrame>,
     /// What flocks make of each other, flock by flock.
@@ -163,6 +166,7 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
         surfaces,
         surface_lights,
         stroke_lights,
+        shade_boxes: box_of(&now),
         flocks,
         relations,
         obstacles,

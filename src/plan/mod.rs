@@ -17,6 +17,7 @@ mod lights;
 mod meshes;
 mod planet;
 mod population;
+mod shade;
 mod solids;
 mod spread;
 mod stages;
@@ -120,6 +121,8 @@ pub struct Plan {
     /// Straight pieces of a stroke, at most, and records of what covers for each particle: those of its
     /// shadow and of itself. 0 if there are no strokes.
     pub stroke_records: [u32; 2],
+    /// Cells along each side of the box in which clouds throw shadows on themselves; 0 if there is none.
+    pub shade_cells: u32,
     /// What its systems make use of, at any time.
     pub uses: Uses,
     /// The frame that a run begins with: 0, or before it where births begin earlier.
@@ -252,6 +255,7 @@ impl Plan {
             width: scene.image.width,
             height: scene.image.height,
             stroke_records: stroke::records_of(scene),
+            shade_cells: shade::cells_of(scene),
             uses: Uses::default(),
             first_frame,
             curve_points: curves::curve_points(&scenes),
@@ -379,6 +383,7 @@ impl Plan {
             Stage::Lights => (self.uses.ground || self.surface_count > 0) && self.fire_count > 0,
             Stage::Hatch | Stage::Cells | Stage::Steer => self.flock_count > 0,
             Stage::Shapes | Stage::Cover => self.uses.covers,
+            Stage::Shade => self.shade_cells > 0,
             Stage::Front | Stage::Insert => self.spread_count > 0,
             Stage::Block => self.blocks,
             Stage::Strips => self.uses.strips,
@@ -532,7 +537,12 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
                 (scene.planet.is_some(), ground::has_ground(scene)),
                 surface::fixed_of(scene),
             ),
-            (blends(scene), strokes(scene), stroke::records_of(scene)),
+            (
+                blends(scene),
+                strokes(scene),
+                stroke::records_of(scene),
+                shade::cells_of(scene),
+            ),
             scene.image.width,
             scene.image.height,
             scene.seed,
@@ -548,7 +558,7 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
                 "the change at frame {} alters what holds for a whole run",
                 turn.frame
             ),
-            help: "the list of systems, their names, parents and `blend`, which are of strokes, of how many pieces and whether with shadows, whether there is a planet, whether a ground or pillars, the number of surfaces, their meshes and `crease_degrees`, the flocks' and fires' names and counts, `trail_frames`, what fires spread over from where and their `max_points`, the \
+            help: "the list of systems, their names, parents and `blend`, which are of strokes, of how many pieces and whether with shadows, whether clouds throw shadows and in how many cells, whether there is a planet, whether a ground or pillars, the number of surfaces, their meshes and `crease_degrees`, the flocks' and fires' names and counts, `trail_frames`, what fires spread over from where and their `max_points`, the \
                    number of layers, the image size, the seed and the capacity stay as the scene has \
                    them"
                 .into(),

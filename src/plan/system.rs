@@ -360,6 +360,7 @@ fn row_flags(system: &System) -> u32 {
         layout::ROW_WITHIN_FRAME,
     ) | flag(system.blend == Blend::Over, layout::ROW_OVER)
         | flag(system.shading == Shading::LitSphere, layout::ROW_LIT_SPHERE)
+        | flag(system.shading == Shading::LitCloud, layout::ROW_LIT_CLOUD)
         | ((system.edge_softness * 65_535.0 + 0.5) as u32) << layout::ROW_SOFTNESS_SHIFT
 }
 

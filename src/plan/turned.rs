@@ -23,6 +23,7 @@ impl Plan {
             ground: self.uses.ground,
             surfaces: self.uses.surfaces,
             strokes: self.uses.strokes,
+            shades: self.uses.shades,
             triangles: self.uses.triangles,
             cones: self.uses.cones,
             mirrors: self.uses.mirrors,

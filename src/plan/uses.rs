@@ -112,6 +112,8 @@ uses! {
     front_lines "FRONT_LINES";
     /// Whole trajectories.
     strokes "STROKES";
+    /// Clouds that throw shadows on themselves.
+    shades "SHADES";
 }
 
 fn has_matrix(fire: &FireFrame) -> bool {
@@ -193,6 +195,7 @@ impl Uses {
             surfaces: !inputs.surfaces.is_empty(),
             layers: !inputs.layer_planes.is_empty(),
             covers: inputs.flocks.iter().any(is_drawn) || marks || front_lines,
+            shades: !inputs.shade_boxes.is_empty(),
             marks,
             front_lines,
             triangles: inputs.flocks.iter().any(has_triangles),

@@ -127,6 +127,8 @@ pub enum Shading {
     Flat,
     /// Each is a ball that reflects light in its colour (Reeves 1983, 5).
     LitSphere,
+    /// Each is a part of a cloud: it reflects the light that comes to it through the others.
+    LitCloud,
 }
 
 /// Whose motion the living follow.

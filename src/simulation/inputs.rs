@@ -2,8 +2,8 @@
 
 use crate::layout::{
     FLAME_LIGHTS, FLAME_STEPS, FireFrame, FlockFrame, Ground, Ignition, MOST_NEAREST,
-    OBSTACLE_MESH, ROOTS_MESH, SHAPE_CURVE, SHAPE_MESH, SPREAD_BLOCKS, StrokeLight, SurfaceFrame,
-    SurfaceLight, SystemFrame, SystemRow,
+    OBSTACLE_MESH, ROOTS_MESH, SHAPE_CURVE, SHAPE_MESH, SPREAD_BLOCKS, ShadeBox, StrokeLight,
+    SurfaceFrame, SurfaceLight, SystemFrame, SystemRow,
 };
 use crate::plan::{FrameInputs, Plan, PlanError};
 
@@ -95,6 +95,17 @@ pub(super) fn check_sizes(plan: &Plan, inputs: &FrameInputs) -> Result<(), PlanE
         return refuse(
             "inputs whose light is not that of the plan's strokes".into(),
             "one record of it if the plan has strokes, with its lamps as listed".into(),
+        );
+    }
+    let has_cells = |shade_box: &ShadeBox| shade_box.kinds[0] == plan.shade_cells;
+    let has_box = inputs.shade_boxes.len() == usize::from(plan.shade_cells > 0);
+    if !has_box || !inputs.shade_boxes.iter().all(has_cells) {
+        return refuse(
+            "inputs with another box of shadows than the plan's".into(),
+            format!(
+                "one of {} cells each way, or none if that is 0",
+                plan.shade_cells
+            ),
         );
     }
     let is_stored = |row: &SystemRow| {

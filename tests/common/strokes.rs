@@ -100,3 +100,35 @@ pub(crate) fn all_kinds_of_strokes() -> Scene {
          normal = [0.1, 0, 1]"
     ))
 }
+
+/// Clouds in and around a box of few cells, clear and opaque, soft and sharp, larger than a cell and
+/// smaller than any number, beside what throws no shadows.
+pub(crate) fn all_kinds_of_clouds() -> Scene {
+    let cloud = |name: &str, more: &str| {
+        format!(
+            "[[system]]
+             name = \"{name}\"
+             generation_shape = {{ kind = \"sphere\", radius = 1.5 }}
+             speed = {{ mean = 0.1, var = 0.05 }}
+             lifetime = 3
+             color = {{ mean = [0.5, 0.4, 0.6], var = [0.1, 0.1, 0.1] }}
+             blend = \"over\"
+             {more}\n"
+        )
+    };
+    let systems = [
+        cloud("thin", "initial_mean_parts = 900\nshading = \"lit_cloud\"\nsize = { mean = 0.05, var = 0.06 }\ntransparency = { mean = 0.8, var = 0.3, rate = 0.05 }"),
+        cloud("thick", "initial_mean_parts = 60\nshading = \"lit_cloud\"\nsize = 0.4\nedge_softness = 0.7\nposition = { keys = [[0, [0, 0, 0]], [4, [1, 1, 0]]] }"),
+        cloud("huge", "initial_mean_parts = 2\nshading = \"lit_cloud\"\nsize = 30\ntransparency = 0.9\nedge_softness = 1"),
+        cloud("streaks", "initial_mean_parts = 20\nshading = \"lit_cloud\"\nsize = 0.02\nparticle_shape = \"streak\""),
+        cloud("balls", "initial_mean_parts = 20\nshading = \"lit_sphere\"\nsize = 0.2"),
+    ]
+    .concat();
+    scene_of(&format!(
+        "frames = 4
+         image = {{ width = 61, height = 45, background = [0.1, 0, 0.2] }}
+         camera = {{ position = [0.1, 0.8, 4], target = [0, 0.1, 0] }}
+         light = {{ direction = [1, 2, 0.4], color = [0.9, 0.8, 0.7], ambient = [0.1, 0.1, 0.2], shadow_center = [0.2, 0.1, 0], shadow_radius = 1.3, shadow_cells = 9 }}
+         {systems}"
+    ))
+}

@@ -49,6 +49,9 @@ near = 0.01
 direction = [-1, 2, 0.5]
 color = [1, 0.9, 0.8]
 ambient = [0.05, 0.06, 0.07]
+shadow_center = [1, 2, 0.5]
+shadow_radius = 3.5
+shadow_cells = 5
 [planet]
 center = [1, 2, 3]
 radius = 0.5

@@ -3,7 +3,7 @@
 use motes::backend::Backend;
 use motes::cpu::CpuBackend;
 use motes::layout::{COVER_STROKE, Cover};
-use motes::plan::{Plan, STAGES};
+use motes::plan::{Plan, Stage};
 use motes::scene::Scene;
 use motes::simulation::{AdapterChoice, Options, ParticleState, Simulation};
 
@@ -61,8 +61,8 @@ pub(crate) fn drawn(scene: &Scene, frame: u32) -> (Plan, CpuBackend) {
         backend.step(&inputs).expect("it steps");
     }
     let inputs = plan.inputs(frame);
-    for info in STAGES.iter().filter(|info| info.draws) {
-        backend.run_stage(info.stage, &inputs).expect("it draws");
+    for stage in [Stage::Shapes, Stage::Cover] {
+        backend.run_stage(stage, &inputs).expect("it draws");
     }
     (plan, backend)
 }

@@ -63,10 +63,11 @@ const ROW_AROUND: u32 = 2u;
 const ROW_ANGLE_UNIFORM: u32 = 4u;
 const ROW_LUMINANCE: u32 = 8u;
 const ROW_WITHIN_FRAME: u32 = 16u;
-// Particles cover what is behind them; they are shaded as spheres; how soft their edge is stands
-// above that bit, in 65,535ths.
+// Particles cover what is behind them; they are shaded as spheres; as parts of a cloud; how soft their
+// edge is stands above that bit, in 65,535ths.
 const ROW_OVER: u32 = 32u;
 const ROW_LIT_SPHERE: u32 = 64u;
+const ROW_LIT_CLOUD: u32 = 128u;
 const ROW_SOFTNESS_SHIFT: u32 = 16u;
 
 // What the processor knows of one system in this frame.
@@ -576,6 +577,19 @@ struct SurfaceLight {
     kinds: vec4<u32>,
     // Surfaces.
     counts: vec4<u32>,
+}
+
+// A box of cells along the light, as many each way.
+struct ShadeBox {
+    // From world space to cells: rows of three and offsets. Across the light, across that, along it from
+    // where it comes.
+    across: vec4<f32>,
+    aside: vec4<f32>,
+    along: vec4<f32>,
+    // x: the inverse of a cell's cross-section.
+    look: vec4<f32>,
+    // x: cells each way.
+    kinds: vec4<u32>,
 }
 
 // What falls on strokes, and what their shadows fall on.

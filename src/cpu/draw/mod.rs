@@ -10,6 +10,7 @@ pub mod ground;
 pub mod marks;
 pub mod planet;
 pub mod resolve;
+pub mod shade;
 pub mod shapes;
 pub mod splat;
 pub mod strip_joints;

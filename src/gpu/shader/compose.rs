@@ -78,6 +78,7 @@ pub(super) const SWITCHES: &[&str] = &[
     "CONES",
     "MARKS",
     "STROKES",
+    "SHADES",
     "TRAILS",
     "VIEWS",
     "NEAREST",

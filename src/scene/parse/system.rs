@@ -82,7 +82,8 @@ fn system(index: usize, node: &Node, files: &Files) -> Result<System, SceneError
             [table.must("integration", choice)?],
         particle_shape: shapes[table.must("particle_shape", choice)?],
         blend: [Blend::Add, Blend::Over][table.must("blend", choice)?],
-        shading: [Shading::Flat, Shading::LitSphere][table.must("shading", choice)?],
+        shading: [Shading::Flat, Shading::LitSphere, Shading::LitCloud]
+            [table.must("shading", choice)?],
         edge_softness: table.must("edge_softness", Quantity::read)?,
         streak_light: lights[table.must("streak_light", choice)?],
         stroke_taper: table.must("stroke_taper", Quantity::read)?,

@@ -25,9 +25,9 @@ pub const SCENE: &[Field] = &[
     optional("system", Kind::Tables { fields: SYSTEM, max: 1024 }, "[{ name = \"jet\", initial_mean_parts = 100, generation_shape = { kind = \"sphere\", radius = 1 }, speed = 0.1, lifetime = 60, color = [0.4, 0.1, 0.02], size = 0.02 }]", "", "the particle systems, one `[[system]]` each; a scene without a flock or a fire has at least one", "Reeves 2"),
     default("flock", Kind::Tables { fields: FLOCK, max: 64 }, "[]", "", "the flocks, one `[[flock]]` each", ""),
     default("fire", Kind::Tables { fields: FIRE, max: 64 }, "[]", "", "the fires, one `[[fire]]` each", "Perry 3.2"),
-    default("light", Kind::Table(LIGHT), "{}", "", "the light that the planet, the ground and surfaces reflect, and particles which cover and are shaded", "Reeves 5"),
+    default("light", Kind::Table(LIGHT), "{}", "", "the light that the planet, the ground, surfaces and strokes reflect, and particles which cover and are shaded", "Reeves 5"),
     optional("planet", Kind::Table(PLANET), "{ radius = 10 }", "", "a ball with a surface: it hides what is behind it, and is lit", "Reeves 3"),
-    default("lamp", Kind::Tables { fields: LAMP, max: 16 }, "[]", "", "lights near the planet, the ground and surfaces, one `[[lamp]]` each", "Reeves 3"),
+    default("lamp", Kind::Tables { fields: LAMP, max: 16 }, "[]", "", "lights near the planet, the ground, surfaces and strokes, one `[[lamp]]` each", "Reeves 3"),
     optional("ground", Kind::Table(GROUND), "{ radius = 10 }", "", "a plane behind everything that light falls on, that of flames too", "Perry 3.2.4"),
     default("pillar", Kind::Tables { fields: PILLAR, max: 16 }, "[]", "", "upright cylinders on it, such as candles, one `[[pillar]]` each", "Perry 3.2.4"),
     default("surface", Kind::Tables { fields: SURFACE, max: 64 }, "[]", "", "meshes that are seen, one `[[surface]]` each: they hide what is behind them, and are lit", "Reeves 3"),
@@ -52,6 +52,9 @@ pub const LIGHT: &[Field] = &[
     default("direction", DIRECTION, "[0.4, 0.8, 0.5]", "world space", "where the light comes from", "Reeves 5"),
     default("color", numbers(3, 0.0, 1e3), "[1, 1, 1]", "red, green, blue", "what it makes of white that it falls on straight", "Reeves 5"),
     default("ambient", numbers(3, 0.0, 1e3), "[0.2, 0.2, 0.2]", "red, green, blue", "light from everywhere, which makes no shades", "Reeves 5"),
+    default("shadow_center", PLACE, "[0, 0, 0]", "world units", "the middle of the box in which clouds throw shadows on themselves", "Reeves 5"),
+    optional("shadow_radius", numbers(1, 1e-3, 1e6), "10", "world units", "half how wide that box is; clouds throw none if left out", "Reeves 5"),
+    default("shadow_cells", whole(4, 96), "32", "cells", "how finely that is told, along each side of the box", "Reeves 5"),
 ];
 
 /// Keys of `[planet]` (Reeves 1983, section 3).
@@ -177,7 +180,7 @@ pub const SYSTEM: &[Field] = &[
     default("integration", Kind::Choice(&["euler", "parabola"]), "\"euler\"", "", "whether velocities are those at the start of a frame, or halfway through it, which puts particles on exact parabolas", "Reeves 2.3"),
     default("particle_shape", Kind::Choice(&["sphere", "rectangle", "streak", "stroke"]), "\"sphere\"", "", "what a particle looks like; a stroke is its whole trajectory, drawn at once, lit by the scene's light and lamps, as a blade of grass: it covers, and stays for as long as the scene lasts", "Reeves 2.2, 4.3"),
     default("blend", Kind::Choice(&["add", "over"]), "\"add\"", "", "whether particles add their light to what is behind them, or cover it; the same for a whole run", "Reeves 2.5, 5"),
-    default("shading", Kind::Choice(&["flat", "lit_sphere"]), "\"flat\"", "", "whether particles that cover have their colour all over, or reflect the scene's light in it as balls", "Reeves 5"),
+    default("shading", Kind::Choice(&["flat", "lit_sphere", "lit_cloud"]), "\"flat\"", "", "whether particles that cover have their colour all over, reflect the scene's light in it as balls, or all over as parts of a cloud, as far as the light comes through the others (`shadow_radius` of `[light]`)", "Reeves 5"),
     default("edge_softness", numbers(1, 0.0, 1.0), "0", "a share of the radius", "how wide the edge of a disc that covers is", ""),
     default("streak_light", Kind::Choice(&["conserved", "constant"]), "\"conserved\"", "", "whether a streak's light is spread along it, or full everywhere", "Reeves 3"),
     default("stroke_taper", numbers(1, 0.0, 1.0), "1", "a share of the width", "how much narrower a stroke is where its particle's life ends", "Reeves 4.3"),
