@@ -141,7 +141,7 @@ fn barren(name: &str, seed: u64) -> Scene {
 /// Radius of the planet, the speed of its rings, frames between them, their density.
 fn rings_of(scene: &Scene) -> [f64; 4] {
     let shapes = scene.systems.iter().map(|system| &system.generation_shape);
-    let rings = shapes.filter_map(|shape| match *shape {
+    let mut rings = shapes.filter_map(|shape| match *shape {
         GenerationShape::Rings {
             radius,
             wall_speed,
@@ -150,7 +150,7 @@ fn rings_of(scene: &Scene) -> [f64; 4] {
         } => Some([radius, wall_speed, ring_frames as f32, density].map(f64::from)),
         _ => None,
     });
-    rings.last().expect("it has rings")
+    rings.next_back().expect("it has rings")
 }
 
 #[test]
