@@ -25,12 +25,14 @@ pub mod pillar;
 pub mod projection;
 pub mod raster;
 pub mod reach;
+pub mod shade;
 pub mod shape;
 pub mod solid;
 pub mod spread;
 pub(crate) mod sprite;
 pub mod steering;
 pub mod strip;
+pub mod stroke;
 pub mod systems;
 pub mod tree;
 pub mod urge;
@@ -91,8 +93,13 @@ pub struct CpuBackend {
     /// Whether anything covers; if not, what follows is empty.
     has_covers: bool,
     covers: Vec<Cover>,
-    /// How many of them are of particles, of boids, of marks and of fronts.
-    families: [usize; 4],
+    /// How many of them are of particles, of boids, of marks, of fronts and of strokes.
+    families: [usize; 5],
+    /// Empty if clouds throw no shadows, as the one below.
+    shade_sums: Vec<u32>,
+    shade_light: Vec<u32>,
+    /// As [`Plan::stroke_records`] has it.
+    stroke_records: [u32; 2],
     cover_rg: Vec<[u32; 2]>,
     cover_bt: Vec<[u32; 2]>,
     image: Vec<u32>,
@@ -147,7 +154,10 @@ impl CpuBackend {
             light: LightSums::new(plan.width, plan.height),
             has_covers: plan.uses.covers,
             covers: Vec::new(),
-            families: [0; 4],
+            families: [0; 5],
+            shade_sums: try_zeroed(plan.shade_cells.pow(3) as usize, "cells")?,
+            shade_light: try_zeroed(plan.shade_cells.pow(3) as usize, "cells")?,
+            stroke_records: plan.stroke_records,
             cover_rg: try_zeroed(covered_pixels, "covered pixels")?,
             cover_bt: try_zeroed(covered_pixels, "covered pixels")?,
             image: try_zeroed(pixels, "pixels")?,
@@ -210,8 +220,14 @@ impl CpuBackend {
                 let (nearness, _) = self.surface_nearness.as_chunks::<4>();
                 self.flames.strips(inputs, &self.light, nearness);
             }
+            Stage::Shade => {
+                self.shade_sums = draw::shade::deposit(&self.particles, inputs, &self.rows);
+                let cells = inputs.shade_boxes[0].kinds[0] as usize;
+                self.shade_light = draw::shade::shade(&self.shade_sums, cells);
+            }
             Stage::Shapes if self.has_covers => {
                 let rows = &self.rows;
+                let shade_light = &self.shade_light;
                 self.covers.clear();
                 let room = self.covers.try_reserve(self.particles.len());
                 room.map_err(|_| {
@@ -219,13 +235,23 @@ impl CpuBackend {
                     BackendError::OutOfMemory(format!("{len} records of what covers"))
                 })?;
                 let records = self.particles.par_iter().with_min_len(CHUNK / 8);
-                let record = |particle| draw::shapes::shapes(particle, inputs, rows);
+                let record = |particle| draw::shapes::shapes(particle, inputs, rows, shade_light);
                 records.map(record).collect_into_vec(&mut self.covers);
                 let of_particles = self.covers.len();
                 self.flocks.shapes(inputs, &mut self.covers);
                 let of_boids = self.covers.len() - of_particles;
                 let [marks, fronts] = self.spreads.shapes(inputs, &mut self.covers);
-                self.families = [of_particles, of_boids, marks, fronts];
+                let before = self.covers.len();
+                if self.stroke_records[1] > 0 {
+                    let kinds = (self.stroke_records[0], self.stroke_records[1]);
+                    let particles = self.particles.par_iter().with_min_len(64);
+                    let records = particles.flat_map_iter(|particle| {
+                        draw::strokes::strokes(particle, inputs, rows, kinds)
+                    });
+                    self.covers.par_extend(records);
+                }
+                let strokes = self.covers.len() - before;
+                self.families = [of_particles, of_boids, marks, fronts, strokes];
             }
             Stage::Cover if self.has_covers => {
                 let (nearness, _) = self.surface_nearness.as_chunks::<4>();
@@ -453,8 +479,8 @@ impl CpuBackend {
     fn cover_counts(&self) -> Vec<u32> {
         let is_something = |cover: &&Cover| cover.shape[2] != COVER_NONE;
         let something = self.covers.iter().filter(is_something).count();
-        let [particles, boids, marks, fronts] = self.families;
-        let counts = [something, particles, boids, marks, fronts, 0, 0, 0];
+        let [particles, boids, marks, fronts, strokes] = self.families;
+        let counts = [something, particles, boids, marks, fronts, strokes, 0, 0];
         counts.map(|count| count as u32).to_vec()
     }
 }
@@ -535,6 +561,8 @@ impl Backend for CpuBackend {
             "dropped_flames" => bytemuck::cast_slice(&self.spreads.dropped).to_vec(),
             "ring_spans" => bytemuck::cast_slice(&self.spreads.ring_spans).to_vec(),
             "spread_counts" => bytemuck::cast_slice(&[self.spreads.counts]).to_vec(),
+            "shade_sums" => self.shade_sums.clone(),
+            "shade_light" => self.shade_light.clone(),
             "covers" => try_copied(bytemuck::cast_slice(&self.covers), "what covers")?,
             "cover_counts" => self.cover_counts(),
             "cover_rg" => bytemuck::cast_slice(&self.cover_rg).to_vec(),

@@ -17,9 +17,11 @@ mod lights;
 mod meshes;
 mod planet;
 mod population;
+mod shade;
 mod solids;
 mod spread;
 mod stages;
+mod stroke;
 mod surface;
 mod system;
 mod tree;
@@ -127,6 +129,11 @@ pub struct Plan {
     pub width: u32,
     /// Pixels down.
     pub height: u32,
+    /// Straight pieces of a stroke, at most, and records of what covers for each particle: those of its
+    /// shadow and of itself. 0 if there are no strokes.
+    pub stroke_records: [u32; 2],
+    /// Cells along each side of the box in which clouds throw shadows on themselves; 0 if there is none.
+    pub shade_cells: u32,
     /// What its systems make use of, at any time.
     pub uses: Uses,
     /// The frame that a run begins with: 0, or before it where births begin earlier.
@@ -258,6 +265,8 @@ impl Plan {
                 .sum(),
             width: scene.image.width,
             height: scene.image.height,
+            stroke_records: stroke::records_of(scene),
+            shade_cells: shade::cells_of(scene),
             uses: Uses::default(),
             first_frame,
             curve_points: curves::curve_points(&scenes),
@@ -385,6 +394,7 @@ impl Plan {
             Stage::Lights => (self.uses.ground || self.surface_count > 0) && self.fire_count > 0,
             Stage::Hatch | Stage::Cells | Stage::Steer => self.flock_count > 0,
             Stage::Shapes | Stage::Cover => self.uses.covers,
+            Stage::Shade => self.shade_cells > 0,
             Stage::Front | Stage::Insert => self.spread_count > 0,
             Stage::Block => self.blocks,
             Stage::Strips => self.uses.strips,
@@ -398,8 +408,8 @@ impl Plan {
         (2 * self.point_capacity).next_power_of_two()
     }
 
-    /// Records of what covers, at most: one a particle, those of boids, of marks and of fronts, if anything
-    /// covers.
+    /// Records of what covers, at most: one a particle, those of boids, of marks, of fronts and of strokes, if
+    /// anything covers.
     pub fn cover_capacity(&self) -> u32 {
         if self.uses.covers {
             let marks = if self.uses.marks {
@@ -412,7 +422,9 @@ impl Plan {
             } else {
                 0
             };
-            self.capacity + self.boid_cover_count + marks + lines
+            let strokes = self.capacity.saturating_mul(self.stroke_records[1]);
+            let own = self.capacity.saturating_add(strokes);
+            own.saturating_add(self.boid_cover_count + marks + lines)
         } else {
             0
         }
@@ -532,6 +544,10 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
         let systems = scene.systems.iter();
         systems.map(|system| system.blend).collect()
     };
+    let strokes = |scene: &Scene| -> Vec<bool> {
+        let systems = scene.systems.iter();
+        systems.map(stroke::is_stroke).collect()
+    };
     let tree = |scene: &Scene| -> Vec<Option<String>> {
         let systems = scene.systems.iter();
         systems.map(|system| system.parent.clone()).collect()
@@ -543,7 +559,12 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
                 (scene.planet.is_some(), ground::has_ground(scene)),
                 surface::fixed_of(scene),
             ),
-            blends(scene),
+            (
+                blends(scene),
+                strokes(scene),
+                stroke::records_of(scene),
+                shade::cells_of(scene),
+            ),
             scene.image.width,
             scene.image.height,
             scene.seed,
@@ -559,7 +580,7 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
                 "the change at frame {} alters what holds for a whole run",
                 turn.frame
             ),
-            help: "the list of systems, their names, parents and `blend`, whether there is a planet, whether a ground or pillars, the number of surfaces, their meshes and `crease_degrees`, the flocks' and fires' names and counts, `trail_frames`, what fires spread over from where and their `max_points`, the \
+            help: "the list of systems, their names, parents and `blend`, which are of strokes, of how many pieces and whether with shadows, whether clouds throw shadows and in how many cells, whether there is a planet, whether a ground or pillars, the number of surfaces, their meshes and `crease_degrees`, the flocks' and fires' names and counts, `trail_frames`, what fires spread over from where and their `max_points`, the \
                    number of layers, the image size, the seed and the capacity stay as the scene has \
                    them"
                 .into(), key: None });

@@ -22,6 +22,8 @@ impl Plan {
             planet: self.uses.planet,
             ground: self.uses.ground,
             surfaces: self.uses.surfaces,
+            strokes: self.uses.strokes,
+            shades: self.uses.shades,
             triangles: self.uses.triangles,
             cones: self.uses.cones,
             mirrors: self.uses.mirrors,

@@ -159,6 +159,9 @@ fn light(spot: &Spot<'_>) -> Result<Light, SceneError> {
         direction: table.must("direction", check::direction)?,
         color: table.must("color", Quantity::read)?,
         ambient: table.must("ambient", Quantity::read)?,
+        shadow_center: table.must("shadow_center", Quantity::read)?,
+        shadow_radius: table.may("shadow_radius", Quantity::read)?,
+        shadow_cells: table.must("shadow_cells", whole32)?,
     })
 }
 
