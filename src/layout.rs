@@ -150,6 +150,8 @@ shared_constants! {
     pub const COVERS_OF_MARKS: u32 = 3;
     /// Records of fronts.
     pub const COVERS_OF_FRONTS: u32 = 4;
+    /// Records of smoke.
+    pub const COVERS_OF_SMOKE: u32 = 5;
     /// [`Cover::shape`]`[2]`: nothing is covered.
     pub const COVER_NONE: u32 = 0;
     /// A disc.

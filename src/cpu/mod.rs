@@ -17,8 +17,10 @@ pub mod flame;
 pub mod flames;
 pub mod flock;
 pub mod footprint;
+pub mod grain;
 pub mod grid;
 pub mod light;
+pub mod meet;
 pub mod particle;
 pub mod particles;
 pub mod pillar;
@@ -91,8 +93,8 @@ pub struct CpuBackend {
     /// Whether anything covers; if not, what follows is empty.
     has_covers: bool,
     covers: Vec<Cover>,
-    /// How many of them are of particles, of boids, of marks and of fronts.
-    families: [usize; 4],
+    /// How many of them are of particles, of boids, of marks, of fronts and of smoke.
+    families: [usize; 5],
     cover_rg: Vec<[u32; 2]>,
     cover_bt: Vec<[u32; 2]>,
     image: Vec<u32>,
@@ -147,7 +149,7 @@ impl CpuBackend {
             light: LightSums::new(plan.width, plan.height),
             has_covers: plan.uses.covers,
             covers: Vec::new(),
-            families: [0; 4],
+            families: [0; 5],
             cover_rg: try_zeroed(covered_pixels, "covered pixels")?,
             cover_bt: try_zeroed(covered_pixels, "covered pixels")?,
             image: try_zeroed(pixels, "pixels")?,
@@ -191,6 +193,11 @@ impl CpuBackend {
                 self.flames.kindle_dropped(inputs, &self.spreads);
             }
             Stage::Trace => self.flames.trace(inputs),
+            Stage::Catch => {
+                let flames = &self.flames;
+                let burns = |at: u32| flames.flames[at as usize].burns();
+                self.spreads.catch(inputs, &flames.steps, burns);
+            }
             Stage::Lights => self.flames.gather(inputs),
             Stage::Ground => {
                 let flames = &self.flames.lights;
@@ -224,8 +231,8 @@ impl CpuBackend {
                 let of_particles = self.covers.len();
                 self.flocks.shapes(inputs, &mut self.covers);
                 let of_boids = self.covers.len() - of_particles;
-                let [marks, fronts] = self.spreads.shapes(inputs, &mut self.covers);
-                self.families = [of_particles, of_boids, marks, fronts];
+                let [marks, fronts, smoke] = self.spreads.shapes(inputs, &mut self.covers);
+                self.families = [of_particles, of_boids, marks, fronts, smoke];
             }
             Stage::Cover if self.has_covers => {
                 let (nearness, _) = self.surface_nearness.as_chunks::<4>();
@@ -453,8 +460,8 @@ impl CpuBackend {
     fn cover_counts(&self) -> Vec<u32> {
         let is_something = |cover: &&Cover| cover.shape[2] != COVER_NONE;
         let something = self.covers.iter().filter(is_something).count();
-        let [particles, boids, marks, fronts] = self.families;
-        let counts = [something, particles, boids, marks, fronts, 0, 0, 0];
+        let [particles, boids, marks, fronts, smoke] = self.families;
+        let counts = [something, particles, boids, marks, fronts, smoke, 0, 0];
         counts.map(|count| count as u32).to_vec()
     }
 }
@@ -533,6 +540,7 @@ impl Backend for CpuBackend {
             }
             "moved_points" => try_copied(bytemuck::cast_slice(&self.spreads.moved), "the front")?,
             "dropped_flames" => bytemuck::cast_slice(&self.spreads.dropped).to_vec(),
+            "catches" => bytemuck::cast_slice(&self.spreads.catches).to_vec(),
             "ring_spans" => bytemuck::cast_slice(&self.spreads.ring_spans).to_vec(),
             "spread_counts" => bytemuck::cast_slice(&[self.spreads.counts]).to_vec(),
             "covers" => try_copied(bytemuck::cast_slice(&self.covers), "what covers")?,

@@ -190,6 +190,7 @@ impl Memory {
             Stage::Surface => &["large_faces", "surface_nearness", "surface_faces"],
             Stage::Shapes => &["cover_counts"],
             Stage::Block => &["crowd"],
+            Stage::Catch => &["catches"],
             Stage::Splat if self.has_planet => &[],
             Stage::Splat | Stage::Planet => &["light_low", "light_high", "light_packed"],
             _ => &[],

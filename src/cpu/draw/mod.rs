@@ -11,6 +11,7 @@ pub mod marks;
 pub mod planet;
 pub mod resolve;
 pub mod shapes;
+pub mod smoke;
 pub mod splat;
 pub mod strip_joints;
 pub mod strips;

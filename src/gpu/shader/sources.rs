@@ -65,6 +65,8 @@ pub static LIBRARIES: &[Source] = sources![
     "lib/sort",
     "lib/tile",
     "lib/walk",
+    "lib/meet",
+    "lib/grain",
     "lib/drops",
 ];
 
@@ -108,6 +110,8 @@ pub static KERNELS: &[Source] = sources![
     "flames/kindle",
     "flames/dropped",
     "flames/trace",
+    "spread/catch",
+    "spread/caught",
     "flames/shine",
     "flames/gather",
     "draw/ground",
@@ -119,6 +123,7 @@ pub static KERNELS: &[Source] = sources![
     "draw/boid_trails",
     "draw/marks",
     "draw/front_lines",
+    "draw/smoke",
     "draw/cover_work",
     "draw/cover_keys",
     "sort/count_digits",
