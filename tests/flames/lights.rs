@@ -304,8 +304,8 @@ fn p45_a_light_of_what_burns_is_as_large_as_its_part_of_it() {
         (10, 0.3, 0.3),
         (64, 2.0, 0.4),
     ] {
-        let scene = scene_of(&format!(
-            "[ground]\nradius = 5\n[[fire]]\nname = \"fire\"\nheight = {height}\nlights = {lights}\n\
+        let scene = common::scene_of(&format!(
+            "camera = {{ position = [0, 1, 5], target = [0, 0, 0] }}\n[ground]\nradius = 5\n[[fire]]\nname = \"fire\"\nheight = {height}\nlights = {lights}\n\
              [fire.spread]\nmesh = \"cube\"\nscale = 0.5\n[[fire.spread.ignition]]\nposition = [0, 0, 0.5]"
         ));
         let plan = motes::plan::Plan::new(&scene, 1).expect("it can be planned");

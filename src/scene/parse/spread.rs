@@ -72,7 +72,7 @@ pub(super) fn grain(spot: &Spot<'_>) -> Result<Grain, SceneError> {
     let table = Reader::new(spot.path.clone(), GRAIN, spot.node)?;
     Ok(Grain {
         pattern: [GrainPattern::Stripes, GrainPattern::Rings][table.must("pattern", choice)?],
-        direction: table.must("direction", Quantity::read)?,
+        direction: table.must("direction", check::direction)?,
         scale: table.must("scale", Quantity::read)?,
         strength: table.must("strength", Quantity::read)?,
         shift: table.must("shift", Quantity::read)?,
