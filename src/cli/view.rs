@@ -11,6 +11,8 @@ use crate::view::{self, App, Script, Session, Source, WindowError};
 
 /// Arguments of `motes view`.
 #[derive(Debug, clap::Args)]
+// Said outright: else errors about what is missing list what the environment gives.
+#[command(override_usage = "motes view [OPTIONS] <SCENE>")]
 pub(super) struct ViewArgs {
     /// A TOML file, or the name of a built-in scene (`motes scenes` lists them)
     #[arg(value_parser = SceneName, hide_possible_values = true)]

@@ -122,7 +122,7 @@ impl Memory {
         });
         let named = single.map(|declared| {
             let own = || match declared.name {
-                "ranked_covers" if plan.uses.covers => tiling.slice,
+                "ranked_covers" | "ranked_bounds" if plan.uses.covers => tiling.slice,
                 "tile_bits" if plan.uses.covers => tiling.tiles() * (tiling.slice / 32),
                 "tile_summaries" if plan.uses.covers => tiling.tiles() * (tiling.slice / 1024),
                 "digit_counts" => sort::counts(plan.cover_capacity()),

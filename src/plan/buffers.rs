@@ -584,6 +584,7 @@ pub static BUFFERS: &[Buffer] = {
             size_of::<Cover>(),
             Count::Backend,
         ),
+        buffer_of("ranked_bounds", Scratch, "vec2<u32>", 8, Count::Backend),
         buffer_of("tile_bits", Scratch, "u32", 4, Count::Backend),
         buffer_of("tile_summaries", Scratch, "u32", 4, Count::Backend),
         buffer_of("cover_rg", State, "vec2<u32>", 8, Count::CoveredPixels(1)),

@@ -181,14 +181,14 @@ fn unknown(name: &str) -> SceneError {
             "a path to a scene's TOML file; `motes scenes` lists the built-in scenes",
         );
     }
-    let names = || BUILTIN.iter().map(|scene| scene.name);
-    let close = nearest(name, names());
-    let help = if close.is_empty() {
-        format!("built in are {}.", names().collect::<Vec<_>>().join(", "))
-    } else {
-        format!("did you mean {}?", close.join(" or "))
+    let close = nearest(name, BUILTIN.iter().map(|scene| scene.name));
+    let meant = match close.as_slice() {
+        [] => like(name),
+        close => format!("did you mean {}? ", close.join(" or ")),
     };
-    let help = format!("{help} A file is a path that ends in .toml, such as ./my.toml");
+    let help = format!(
+        "{meant}`motes scenes` lists the built-in scenes; a file is a path that ends in .toml, such as ./my.toml"
+    );
     SceneError::general(
         format!("there is no scene `{}`", shortened(name)),
         None,

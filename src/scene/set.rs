@@ -6,6 +6,7 @@ use std::rc::Rc;
 
 use super::SceneError;
 use super::error::{did_you_mean, shortened};
+use super::schema::{Kind, SCENE};
 use super::tracks;
 use super::tree::{self, At, Entry, Node, Source, Value};
 
@@ -147,6 +148,20 @@ pub(super) fn apply(root: &mut Node, set: &Set) -> Result<(), SceneError> {
     };
     let parts = set.parts()?;
     let value = set.value(written)?;
+    if let [(list, at), (item, _), ..] = parts.as_slice()
+        && root.entry(list).is_none()
+        && let Some(Kind::Tables { .. }) = SCENE.iter().find(|it| it.key == *list).map(|it| it.kind)
+    {
+        let what = format!(
+            "the scene has no `[[{list}]]`, and so no `{}`",
+            shortened(item)
+        );
+        let help = format!(
+            "a {} sets keys of tables that the scene has; `motes scenes --knobs` lists them",
+            set.noun
+        );
+        return Err(at.error(what, help));
+    }
     let mut node = root;
     for (depth, (name, at)) in parts.iter().enumerate() {
         let parent = parts[..depth].iter().map(|part| shortened(part.0));

@@ -137,6 +137,24 @@ fn the_readmes_commands_work() {
 }
 
 #[test]
+fn the_readmes_line_drawing_works() {
+    let here = Workshop::new();
+    let command = README
+        .lines()
+        .find_map(|line| line.strip_prefix("    motes render explosion-lines"))
+        .expect("the README draws lines");
+    let (arguments, _) = command.split_once('#').expect("it says what for");
+    let mut words = vec!["render", "explosion-lines"];
+    words.extend(arguments.split_whitespace());
+    words.extend(["--adapter", "cpu"]);
+    let ended = here.run(&words);
+    assert_eq!(ended.code, 0, "{}", ended.stderr);
+    let drawing = String::from_utf8(here.read("lines.svg")).expect("an SVG is text");
+    let lines = drawing.matches("<line").count() + drawing.matches("<path").count();
+    assert!(lines > 100, "{lines} lines in {} bytes", drawing.len());
+}
+
+#[test]
 fn the_way_from_a_slip_to_a_film_is_as_the_page_says() {
     const PAGE: &str = include_str!("../../scenes/README.md");
     let (_, section) = PAGE

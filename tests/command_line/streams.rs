@@ -215,3 +215,38 @@ fn a_picture_goes_into_a_pipe_that_somebody_reads() {
     here.render(&["-o", "file.png", "--frame", "5"]);
     assert!(here.read("copy.png") == here.read("file.png"));
 }
+
+/// `script`, of util-linux, gives the program a terminal.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_terminal_shows_progress_with_its_rate_and_the_time_left() {
+    let here = Workshop::new();
+    let command = format!(
+        "{} render sparks.toml --adapter cpu -o a.gif",
+        env!("CARGO_BIN_EXE_motes")
+    );
+    let mut terminal = std::process::Command::new("script");
+    terminal
+        .args(["--quiet", "--return", "--command", &command, "/dev/null"])
+        .current_dir(here.path(""))
+        .env("TERM", "xterm")
+        .stdin(std::process::Stdio::null());
+    let ended = Ended::of(terminal.output());
+    assert_eq!(ended.code, 0, "{}", ended.stdout);
+    let drawn: Vec<&str> = ended.stdout.split('\r').collect();
+    let bar = drawn
+        .iter()
+        .find(|line| line.contains("/10 frames, "))
+        .unwrap_or_else(|| panic!("no bar in {drawn:?}"));
+    assert!(
+        bar.contains(" a second, ") && bar.contains("s left"),
+        "{bar:?}"
+    );
+    // The bar is wiped before what stays.
+    let last = drawn.iter().rfind(|line| !line.trim().is_empty());
+    let last = last.expect("something is told").trim();
+    assert!(
+        last.starts_with("\u{1b}[2Kmotes: wrote a.gif: 10 frames"),
+        "{last:?}"
+    );
+}

@@ -165,7 +165,10 @@ fn wrong_names_are_answered_with_those_that_there_are() {
             &["render", "sparks.toml", "--adapter", "nope", "-o", "a.gif"],
             &["`nope`", "adapters here: ", "cpu"],
         ),
-        Row::new(&["check", "nope"], &["`nope`", "built in are"]),
+        Row::new(
+            &["check", "nope"],
+            &["`nope`", "`motes scenes` lists the built-in scenes"],
+        ),
         Row::new(
             &["check", "sparks.toml", "--adapter", "cpu"],
             &["with itself", "--adapter"],
@@ -182,12 +185,18 @@ fn wrong_names_are_answered_with_those_that_there_are() {
             &["`nope`", "cpu"],
         ),
         Row::new(&["check", "w.toml"], &["w.toml:21:8", "quoted"]).file("w.toml", bad.as_str()),
-        Row::new(&["scenes", "--show", "nope"], &["`nope`", "built in are"]),
+        Row::new(
+            &["scenes", "--show", "nope"],
+            &["`nope`", "`motes scenes` lists the built-in scenes"],
+        ),
         Row::new(
             &["scenes", "--show", "sparks.toml"],
             &["`sparks.toml`", "motes scenes"],
         ),
-        Row::new(&["scenes", "--knobs", "nope"], &["`nope`", "built in are"]),
+        Row::new(
+            &["scenes", "--knobs", "nope"],
+            &["`nope`", "`motes scenes` lists the built-in scenes"],
+        ),
         Row::new(&["scenes", "--knobs", "w.toml"], &["w.toml:21:8", "quoted"])
             .file("w.toml", bad.as_str()),
     ];

@@ -1,11 +1,11 @@
 // bin: which tiles each record of a round may touch.
 //
 // One invocation a record, from near to far. Reads: frame, sort_count, cover_counts, sort_pairs,
-// covers. Writes: ranked_covers, tile_bits and tile_summaries (atomic ors).
+// covers. Writes: ranked_covers, ranked_bounds, tile_bits and tile_summaries (atomic ors).
 // Invariant: bit r of a tile is set if the record of rank r in this round may cover a pixel of it; the
 // bits do not depend on the order of invocations.
 
-#import motes::cover::bounds_of
+#import motes::cover::{bounds_of, packed_bounds}
 #import motes::dispatch::linear_index
 #import motes::layout::{COVERS_SEEN, Cover, Frame}
 #import motes::tile::{Tiling, records_of_round, summaries_a_tile, words_a_tile}
@@ -20,8 +20,9 @@ var<immediate> tiling: Tiling;
 @group(0) @binding(3) var<storage, read> sort_pairs: array<vec2<u32>>;
 @group(0) @binding(4) var<storage, read> covers: array<Cover>;
 @group(0) @binding(5) var<storage, read_write> ranked_covers: array<Cover>;
-@group(0) @binding(6) var<storage, read_write> tile_bits: array<atomic<u32>>;
-@group(0) @binding(7) var<storage, read_write> tile_summaries: array<atomic<u32>>;
+@group(0) @binding(6) var<storage, read_write> ranked_bounds: array<vec2<u32>>;
+@group(0) @binding(7) var<storage, read_write> tile_bits: array<atomic<u32>>;
+@group(0) @binding(8) var<storage, read_write> tile_summaries: array<atomic<u32>>;
 
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn bin(@builtin(global_invocation_id) global_id: vec3<u32>) {
@@ -36,6 +37,7 @@ fn bin(@builtin(global_invocation_id) global_id: vec3<u32>) {
     if bounds.x >= bounds.z || bounds.y >= bounds.w {
         return;
     }
+    ranked_bounds[rank] = packed_bounds(bounds);
     let first = vec2<u32>(bounds.xy) / tiling.tile_px;
     let last = vec2<u32>(bounds.zw - vec2<i32>(1)) / tiling.tile_px;
     let word = rank / 32u;

@@ -1,20 +1,23 @@
 // cover: in every pixel, what of a round covers it, from near to far.
 //
 // Porter and Duff (1984), "over". One invocation four pixels in a row of a tile, so that a record is
-// loaded once for them. Reads: frame, ranked_covers, tile_summaries, tile_bits, surface_nearness.
+// loaded once for them; it passes over records whose bounds do not hold them, each invocation at its
+// own pace. Reads: frame, ranked_covers, ranked_bounds, tile_summaries, tile_bits, surface_nearness.
 // Writes: cover_rg, cover_bt (red and green, blue and how much of what is behind shows through, as
 // bits), where there are surfaces cover_front (how much of them does).
 // Invariant: a pixel depends on the records that cover it and on their order alone, not on tiles or
 // rounds: what is kept between rounds is snapped after every record.
 
 #import motes::behind::{Parted, behind_parted, is_closed_pixel}
-#import motes::cover::{HIDDEN, Kinds, Layered, Spot, behind}
+#import motes::cover::{HIDDEN, Kinds, Layered, Spot, behind, may_touch}
 #import motes::dispatch::linear_index
 #import motes::exact::{bits_of, less}
 #import motes::layout::{Cover, Frame}
 #import motes::tile::{Tiling, fours_a_tile, summaries_a_tile, words_a_tile}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
+// None is left.
+const NO_RECORD: u32 = 0xffffffffu;
 // Which kinds of shapes there may be.
 const RECTANGLES: bool = #{RECTANGLES};
 const STREAKS: bool = #{STREAKS};
@@ -30,12 +33,13 @@ var<immediate> tiling: Tiling;
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read> ranked_covers: array<Cover>;
-@group(0) @binding(2) var<storage, read> tile_summaries: array<u32>;
-@group(0) @binding(3) var<storage, read> tile_bits: array<u32>;
-@group(0) @binding(4) var<storage, read_write> cover_rg: array<vec2<u32>>;
-@group(0) @binding(5) var<storage, read_write> cover_bt: array<vec2<u32>>;
-@group(0) @binding(6) var<storage, read_write> cover_front: array<u32>;
-@group(0) @binding(7) var<storage, read> surface_nearness: array<vec4<u32>>;
+@group(0) @binding(2) var<storage, read> ranked_bounds: array<vec2<u32>>;
+@group(0) @binding(3) var<storage, read> tile_summaries: array<u32>;
+@group(0) @binding(4) var<storage, read> tile_bits: array<u32>;
+@group(0) @binding(5) var<storage, read_write> cover_rg: array<vec2<u32>>;
+@group(0) @binding(6) var<storage, read_write> cover_bt: array<vec2<u32>>;
+@group(0) @binding(7) var<storage, read_write> cover_front: array<u32>;
+@group(0) @binding(8) var<storage, read> surface_nearness: array<vec4<u32>>;
 
 // What the rounds before have left of a pixel of the picture.
 fn begun(x: i32, y: i32) -> Parted {
@@ -109,22 +113,35 @@ fn cover(@builtin(global_invocation_id) global_id: vec3<u32>) {
     var c = begun(x + 2, y);
     var d = begun(x + 3, y);
     let first_summary = tile * summaries_a_tile(tiling);
-    for (var at = 0u; at < summaries_a_tile(tiling); at += 1u) {
-        var summary = tile_summaries[first_summary + at];
-        while summary != 0u
-            && !(is_closed(a, near_a) && is_closed(b, near_b) && is_closed(c, near_c) && is_closed(d, near_d)) {
-            let word = at * 32u + firstTrailingBit(summary);
-            summary &= summary - 1u;
-            var bits = tile_bits[tile * words_a_tile(tiling) + word];
-            while bits != 0u {
-                let record = ranked_covers[word * 32u + firstTrailingBit(bits)];
+    // Where in the tile's bits it is: the summary at hand, the word, and what is left of both.
+    var at = 0u;
+    var summary = tile_summaries[first_summary];
+    var word = 0u;
+    var bits = 0u;
+    while !(is_closed(a, near_a) && is_closed(b, near_b) && is_closed(c, near_c) && is_closed(d, near_d)) {
+        var rank = NO_RECORD;
+        while rank == NO_RECORD && at < summaries_a_tile(tiling) {
+            if bits != 0u {
+                let next = word * 32u + firstTrailingBit(bits);
                 bits &= bits - 1u;
-                a = with_record(a, record, kinds, Spot(x, y, width), near_a);
-                b = with_record(b, record, kinds, Spot(x + 1, y, width), near_b);
-                c = with_record(c, record, kinds, Spot(x + 2, y, width), near_c);
-                d = with_record(d, record, kinds, Spot(x + 3, y, width), near_d);
+                rank = select(NO_RECORD, next, may_touch(ranked_bounds[next], x, y));
+            } else if summary != 0u {
+                word = at * 32u + firstTrailingBit(summary);
+                summary &= summary - 1u;
+                bits = tile_bits[tile * words_a_tile(tiling) + word];
+            } else {
+                at += 1u;
+                summary = tile_summaries[first_summary + min(at, summaries_a_tile(tiling) - 1u)];
             }
         }
+        if rank == NO_RECORD {
+            break;
+        }
+        let record = ranked_covers[rank];
+        a = with_record(a, record, kinds, Spot(x, y, width), near_a);
+        b = with_record(b, record, kinds, Spot(x + 1, y, width), near_b);
+        c = with_record(c, record, kinds, Spot(x + 2, y, width), near_c);
+        d = with_record(d, record, kinds, Spot(x + 3, y, width), near_d);
     }
     keep(x, y, a);
     keep(x + 1, y, b);

@@ -95,6 +95,19 @@ fn bounds_of(cover: Cover, width: u32, height: u32) -> vec4<i32> {
     return select(moved, both, cover.lit.w == COVER_TWIN);
 }
 
+// Bounds within a picture, four halves of words.
+fn packed_bounds(bounds: vec4<i32>) -> vec2<u32> {
+    let words = vec4<u32>(bounds);
+    return words.xy | words.zw << vec2<u32>(16u);
+}
+
+// Whether such bounds hold one of the four pixels from there to the right.
+fn may_touch(packed: vec2<u32>, x: i32, y: i32) -> bool {
+    let low = vec2<i32>(packed & vec2<u32>(0xffffu));
+    let high = vec2<i32>(packed >> vec2<u32>(16u));
+    return y >= low.y && y < high.y && x + 3 >= low.x && x < high.x;
+}
+
 // Whether what may cover so much of a picture of that width overlaps its mirror image.
 fn straddles(bounds: vec4<i32>, width: u32) -> bool {
     return 2i * bounds.x < i32(width) && 2i * bounds.z > i32(width);

@@ -8,6 +8,8 @@ use crate::scene::Loader;
 
 /// Arguments of `motes render`.
 #[derive(Debug, clap::Args)]
+// Said outright: else errors about what is missing list what the environment gives.
+#[command(override_usage = "motes render [OPTIONS] <SCENE>")]
 pub(in crate::cli) struct RenderArgs {
     /// A TOML file, or the name of a built-in scene (`motes scenes` lists them)
     #[arg(value_parser = SceneName, hide_possible_values = true)]
