@@ -9,6 +9,7 @@ mod build;
 mod error;
 mod gltf;
 mod gltf_data;
+mod letters;
 mod obj;
 mod ply;
 mod ply_header;
@@ -18,6 +19,7 @@ pub mod surface;
 use std::path::Path;
 
 pub use error::MeshError;
+pub use letters::{MOST_LETTERS, letters};
 pub use shapes::{BUILTIN, builtin, cube, cylinder, plane, sphere, torus};
 pub use surface::Surface;
 

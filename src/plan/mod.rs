@@ -273,7 +273,7 @@ impl Plan {
             meshes: Arc::new(MeshTables::new(&scenes)?),
             solids: Arc::new(SolidTables::new(&scenes)),
             spread_count: spread::spreads_of(scene).count() as u32,
-            ring_count: spreads.ignitions.len() as u32,
+            ring_count: spreads.ignitions.len() as u32 + spreads.piece_count(),
             blocks: scenes.iter().any(|scene| {
                 spread::spreads_of(scene).any(|(_, spread)| spread.prevents_double_burning)
             }),
@@ -397,6 +397,7 @@ impl Plan {
             Stage::Shade => self.shade_cells > 0,
             Stage::Front | Stage::Insert => self.spread_count > 0,
             Stage::Block => self.blocks,
+            Stage::Catch => self.spreads.piece_count() > 0,
             Stage::Strips => self.uses.strips,
             Stage::Kindle | Stage::Trace | Stage::FlameDiscs | Stage::Glow => self.fire_count > 0,
             _ => true,
@@ -408,7 +409,7 @@ impl Plan {
         (2 * self.point_capacity).next_power_of_two()
     }
 
-    /// Records of what covers, at most: one a particle, those of boids, of marks, of fronts and of strokes, if
+    /// Records of what covers, at most: one a particle, those of boids, of marks, of fronts, of smoke and of strokes, if
     /// anything covers.
     pub fn cover_capacity(&self) -> u32 {
         if self.uses.covers {
@@ -422,9 +423,14 @@ impl Plan {
             } else {
                 0
             };
+            let smoke = if self.uses.smokes {
+                self.dropped_places
+            } else {
+                0
+            };
             let strokes = self.capacity.saturating_mul(self.stroke_records[1]);
             let own = self.capacity.saturating_add(strokes);
-            own.saturating_add(self.boid_cover_count + marks + lines)
+            own.saturating_add(self.boid_cover_count + marks + lines + smoke)
         } else {
             0
         }
@@ -479,14 +485,17 @@ fn dropped_capacity(scene: &Scene) -> u32 {
 /// Places for marks of flames that have gone out, of all fires together.
 fn mark_places(scene: &Scene) -> Result<u32, PlanError> {
     const MOST: u32 = 1_000_000;
-    let chars = spread::spreads_of(scene).filter_map(|(_, spread)| spread.char);
-    let wanted = chars.fold(0u32, |sum, char| sum.saturating_add(char.max_marks));
+    let wanted = spread::spreads_of(scene).fold(0u32, |sum, (_, spread)| {
+        let marks = spread.char.map_or(0, |char| char.max_marks);
+        let puffs = spread.smoke.map_or(0, |smoke| smoke.max_puffs);
+        sum.saturating_add(marks.max(puffs))
+    });
     if wanted <= MOST {
         return Ok(wanted);
     }
     Err(PlanError {
         message: format!("this scene's fires may leave {wanted} marks in all"),
-        help: format!("`max_marks` that sum to at most {MOST}"),
+        help: format!("`max_marks` and `max_puffs` that sum to at most {MOST}"),
         key: costliest(scene, "spread.char.max_marks", |spread| {
             spread.char.map_or(0, |char| char.max_marks)
         }),
@@ -518,7 +527,7 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
             .map(|flock| (flock.name.clone(), flock.count, flock.trail_frames))
             .collect()
     };
-    type Burns = Option<(u64, [u32; 3], Vec<crate::scene::Ignition>)>;
+    type Burns = Option<(u64, [u32; 4], Vec<crate::scene::Ignition>)>;
     let fires = |scene: &Scene| -> Vec<(String, usize, u32, Burns)> {
         let fires = scene.fires.iter();
         fires
@@ -526,7 +535,10 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
                 let spread = fire.spread.as_ref().map(|spread| {
                     let digest = spread.surface.digest();
                     let marks = spread.char.map_or(0, |char| char.max_marks);
-                    let most = [spread.max_points, spread.max_flames, marks];
+                    let puffs = spread.smoke.map_or(0, |smoke| smoke.max_puffs);
+                    let marks = marks.max(puffs);
+                    let caught = spread.catch_points.unwrap_or(0);
+                    let most = [spread.max_points, spread.max_flames, marks, caught];
                     (digest, most, spread.ignitions.clone())
                 });
                 (fire.name.clone(), fire.listed.len(), fire.count(), spread)

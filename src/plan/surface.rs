@@ -5,7 +5,9 @@ use std::collections::HashMap;
 use glam::Vec3;
 
 use super::PlanError;
+use super::fire::noise_key;
 use super::planet::lamps_of;
+use super::spread::grain_of;
 use super::system::pose_of;
 use crate::exact::{normalize_exact, snap};
 use crate::layout::{Ground, Planet, SurfaceFrame, SurfaceLight};
@@ -184,6 +186,8 @@ pub(super) fn surfaces_of(
             [x, y, z, at]
         };
         let [x, y, z] = rows.map(scaled);
+        let (kind, [x_of, y_of, z_of, scale], shape) = grain_of(surface.grain.as_ref());
+        let [strength, shift, noise_scale, _] = shape;
         let number = before;
         before += count;
         SurfaceFrame {
@@ -192,6 +196,9 @@ pub(super) fn surfaces_of(
             world_from_mesh_z: z,
             color: with(surface.color),
             faces: [first, count, number, 0],
+            grain: [x_of, y_of, z_of, scale * surface.scale].map(snap),
+            grain_shape: [strength, shift, noise_scale * surface.scale, 0.0].map(snap),
+            grain_kind: [kind, noise_key(scene.seed), 0, 0],
         }
     };
     let surfaces: Vec<SurfaceFrame> = scene.surfaces.iter().map(seen).collect();

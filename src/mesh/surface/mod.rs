@@ -73,6 +73,7 @@ pub struct Surface {
     features: Vec<Feature>,
     feature_of: Vec<u32>,
     mean_edge_length: f64,
+    pieces: Vec<u32>,
     notes: Vec<String>,
     digest: u64,
 }
@@ -107,6 +108,7 @@ impl Surface {
             features: Vec::new(),
             feature_of: Vec::new(),
             mean_edge_length: 0.0,
+            pieces: joined.pieces,
             notes: joined.notes,
             digest: mesh.digest() ^ u64::from(scale.to_bits()).wrapping_mul(0x9e37_79b9_7f4a_7c15),
         };
@@ -134,6 +136,17 @@ impl Surface {
     /// into triangles.
     pub fn mean_edge_length(&self) -> f64 {
         self.mean_edge_length
+    }
+
+    /// The faces of each piece that hangs together, one piece after the other.
+    pub fn pieces(&self) -> impl Iterator<Item = std::ops::Range<u32>> + '_ {
+        let count = self.faces.len() as u32;
+        let ends = self.pieces.iter().skip(1).copied().chain([count]);
+        self.pieces
+            .iter()
+            .copied()
+            .zip(ends)
+            .map(|(first, end)| first..end)
     }
 
     /// What was mended, a line each.

@@ -211,6 +211,7 @@ fn surface(spot: &Spot<'_>, files: &Files) -> Result<LitSurface, SceneError> {
         rotation_degrees: table.must("rotation_degrees", Quantity::read)?,
         scale: table.must("scale", Quantity::read)?,
         color: table.must("color", Quantity::read)?,
+        grain: table.may("grain", spread::grain)?,
         crease_degrees: table.must("crease_degrees", Quantity::read)?,
     })
 }
