@@ -29,7 +29,7 @@ use sites::Site;
 const WORKERS: usize = 2;
 
 /// Changes tried of each file, unless all are.
-const SAMPLE: usize = 12;
+const SAMPLE: usize = 8;
 
 /// Sets of arguments that a probe kernel is tried on.
 const PROBE_ARGUMENTS: u32 = 60_000;

@@ -16,8 +16,6 @@
 #import motes::tile::{Tiling, fours_a_tile, summaries_a_tile, words_a_tile}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
-// None is left.
-const NO_RECORD: u32 = 0xffffffffu;
 // Which kinds of shapes there may be.
 const RECTANGLES: bool = #{RECTANGLES};
 const STREAKS: bool = #{STREAKS};
@@ -120,12 +118,13 @@ fn cover(@builtin(global_invocation_id) global_id: vec3<u32>) {
     var word = 0u;
     var bits = 0u;
     while !(is_closed(a, near_a) && is_closed(b, near_b) && is_closed(c, near_c) && is_closed(d, near_d)) {
-        var rank = NO_RECORD;
-        while rank == NO_RECORD && at < summaries_a_tile(tiling) {
+        var rank = 0u;
+        var is_found = false;
+        while !is_found && at < summaries_a_tile(tiling) {
             if bits != 0u {
-                let next = word * 32u + firstTrailingBit(bits);
+                rank = word * 32u + firstTrailingBit(bits);
                 bits &= bits - 1u;
-                rank = select(NO_RECORD, next, may_touch(ranked_bounds[next], x, y));
+                is_found = may_touch(ranked_bounds[rank], x, y);
             } else if summary != 0u {
                 word = at * 32u + firstTrailingBit(summary);
                 summary &= summary - 1u;
@@ -135,7 +134,7 @@ fn cover(@builtin(global_invocation_id) global_id: vec3<u32>) {
                 summary = tile_summaries[first_summary + min(at, summaries_a_tile(tiling) - 1u)];
             }
         }
-        if rank == NO_RECORD {
+        if !is_found {
             break;
         }
         let record = ranked_covers[rank];
