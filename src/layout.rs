@@ -167,8 +167,10 @@ shared_constants! {
     pub const COVERS_OF_MARKS: u32 = 3;
     /// Records of fronts.
     pub const COVERS_OF_FRONTS: u32 = 4;
+    /// Records of smoke.
+    pub const COVERS_OF_SMOKE: u32 = 5;
     /// Records of strokes.
-    pub const COVERS_OF_STROKES: u32 = 5;
+    pub const COVERS_OF_STROKES: u32 = 6;
     /// [`Cover::shape`]`[2]`: nothing is covered.
     pub const COVER_NONE: u32 = 0;
     /// A disc.

@@ -11,8 +11,8 @@ use motes::layout::{
     self, AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, DroppedFlame, FireFrame, Flame,
     FlameDisc, FlameLight, FlockFrame, Frame, FrameStats, Ground, Ignition, Lamp, ListedFlame,
     Node, Obstacle, Particle, Pillar, Planet, Pose, Relation, ShadeBox, SpreadCounts, SpreadEdge,
-    SpreadFace, SpreadFeature, SpreadFrame, SpreadPoint, StripJoint, StrokeLight, SurfaceFrame,
-    SurfaceLight, SystemFrame, SystemRow, Walker, Wind,
+    SpreadFace, SpreadFeature, SpreadFrame, SpreadPiece, SpreadPoint, StripJoint, StrokeLight,
+    SurfaceFrame, SurfaceLight, SystemFrame, SystemRow, Walker, Wind,
 };
 use motes::plan::{BUFFERS, BufferRole, STAGES, Uses, buffer};
 
@@ -229,6 +229,9 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             world_from_mesh_z,
             color,
             faces,
+            grain,
+            grain_shape,
+            grain_kind,
         }),
         rust_layout!(SurfaceLight {
             eye,
@@ -309,6 +312,8 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             strip,
             char_look,
             char_shape,
+            smoke_look,
+            smoke_shape,
             light,
             light_scale,
             kinds,
@@ -350,6 +355,16 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             kinds,
             line_look,
             line_shape,
+            grain,
+            grain_shape,
+        }),
+        rust_layout!(SpreadPiece {
+            world_from_fire_x,
+            world_from_fire_y,
+            world_from_fire_z,
+            ball,
+            faces,
+            ring,
         }),
         rust_layout!(Ignition {
             place,
@@ -493,6 +508,8 @@ fn constants_agree_bit_for_bit() {
         motes::cpu::spread::drop::CONSTANTS,
         motes::cpu::drops::CONSTANTS,
         motes::cpu::draw::marks::CONSTANTS,
+        motes::cpu::draw::smoke::CONSTANTS,
+        motes::cpu::meet::CONSTANTS,
         motes::cpu::fan::CONSTANTS,
         motes::cpu::detail::CONSTANTS,
         motes::cpu::draw::flame_discs::CONSTANTS,

@@ -147,6 +147,9 @@ const DROPPED_FLAME: Fields = &[
     ("spare", false),
 ];
 
+/// A step of a flame, counted down from above, and where it meets a piece.
+const CATCHES: Fields = &[("first", false), ("face", false), ("x", true), ("y", true)];
+
 const RING_SPAN: Fields = &[("first", false), ("last", false)];
 
 const COUNTS: Fields = &[
@@ -313,6 +316,7 @@ fn fields(name: &str) -> Fields {
         ("SpreadCounts", _) => SPREAD_COUNTS,
         ("DroppedFlame", _) => DROPPED_FLAME,
         _ if name == "ring_spans" => RING_SPAN,
+        _ if name == "catches" => CATCHES,
         _ if name == "flame_bounds" => FLAME_BOUNDS,
         ("Particle", _) => PARTICLE,
         ("Node", _) => NODE,

@@ -17,8 +17,10 @@ pub mod flame;
 pub mod flames;
 pub mod flock;
 pub mod footprint;
+pub mod grain;
 pub mod grid;
 pub mod light;
+pub mod meet;
 pub mod particle;
 pub mod particles;
 pub mod pillar;
@@ -93,8 +95,8 @@ pub struct CpuBackend {
     /// Whether anything covers; if not, what follows is empty.
     has_covers: bool,
     covers: Vec<Cover>,
-    /// How many of them are of particles, of boids, of marks, of fronts and of strokes.
-    families: [usize; 5],
+    /// How many of them are of particles, of boids, of marks, of fronts, of smoke and of strokes.
+    families: [usize; 6],
     /// Empty if clouds throw no shadows, as the one below.
     shade_sums: Vec<u32>,
     shade_light: Vec<u32>,
@@ -154,7 +156,7 @@ impl CpuBackend {
             light: LightSums::new(plan.width, plan.height),
             has_covers: plan.uses.covers,
             covers: Vec::new(),
-            families: [0; 5],
+            families: [0; 6],
             shade_sums: try_zeroed(plan.shade_cells.pow(3) as usize, "cells")?,
             shade_light: try_zeroed(plan.shade_cells.pow(3) as usize, "cells")?,
             stroke_records: plan.stroke_records,
@@ -201,6 +203,11 @@ impl CpuBackend {
                 self.flames.kindle_dropped(inputs, &self.spreads);
             }
             Stage::Trace => self.flames.trace(inputs),
+            Stage::Catch => {
+                let flames = &self.flames;
+                let burns = |at: u32| flames.flames[at as usize].burns();
+                self.spreads.catch(inputs, &flames.steps, burns);
+            }
             Stage::Lights => self.flames.gather(inputs),
             Stage::Ground => {
                 let flames = &self.flames.lights;
@@ -240,7 +247,7 @@ impl CpuBackend {
                 let of_particles = self.covers.len();
                 self.flocks.shapes(inputs, &mut self.covers);
                 let of_boids = self.covers.len() - of_particles;
-                let [marks, fronts] = self.spreads.shapes(inputs, &mut self.covers);
+                let [marks, fronts, smoke] = self.spreads.shapes(inputs, &mut self.covers);
                 let before = self.covers.len();
                 if self.stroke_records[1] > 0 {
                     let kinds = (self.stroke_records[0], self.stroke_records[1]);
@@ -251,7 +258,7 @@ impl CpuBackend {
                     self.covers.par_extend(records);
                 }
                 let strokes = self.covers.len() - before;
-                self.families = [of_particles, of_boids, marks, fronts, strokes];
+                self.families = [of_particles, of_boids, marks, fronts, smoke, strokes];
             }
             Stage::Cover if self.has_covers => {
                 let (nearness, _) = self.surface_nearness.as_chunks::<4>();
@@ -479,8 +486,10 @@ impl CpuBackend {
     fn cover_counts(&self) -> Vec<u32> {
         let is_something = |cover: &&Cover| cover.shape[2] != COVER_NONE;
         let something = self.covers.iter().filter(is_something).count();
-        let [particles, boids, marks, fronts, strokes] = self.families;
-        let counts = [something, particles, boids, marks, fronts, strokes, 0, 0];
+        let [particles, boids, marks, fronts, smoke, strokes] = self.families;
+        let counts = [
+            something, particles, boids, marks, fronts, smoke, strokes, 0,
+        ];
         counts.map(|count| count as u32).to_vec()
     }
 }
@@ -559,6 +568,7 @@ impl Backend for CpuBackend {
             }
             "moved_points" => try_copied(bytemuck::cast_slice(&self.spreads.moved), "the front")?,
             "dropped_flames" => bytemuck::cast_slice(&self.spreads.dropped).to_vec(),
+            "catches" => bytemuck::cast_slice(&self.spreads.catches).to_vec(),
             "ring_spans" => bytemuck::cast_slice(&self.spreads.ring_spans).to_vec(),
             "spread_counts" => bytemuck::cast_slice(&[self.spreads.counts]).to_vec(),
             "shade_sums" => self.shade_sums.clone(),

@@ -75,6 +75,8 @@ enum Work {
     Dropping,
     /// One for each place of a dropped flame, told how many, if they leave marks.
     Marks,
+    /// The same, if smoke rises there.
+    Smoke,
     /// One a control point, if fronts are drawn as lines.
     FrontLines,
     /// Page by page, as the splat's dispatches say, told how many records each has, if there are strokes.
@@ -83,10 +85,14 @@ enum Work {
     ShadeColumns,
     /// One for every 32 flames that control points may have dropped, told how many those are.
     FlameRuns,
-    /// One invocation, told how many points and flames there may be.
+    /// One invocation, told how many points, flames and pieces there may be.
     Book,
-    /// One a point of the rings that begin in one frame, at most.
+    /// One a point of the rings that begin in one frame, at most, told how many pieces there are.
     Ignited,
+    /// One a step of each flame, told how many of these and of pieces.
+    FlameSteps,
+    /// One a piece that flames may light, told how many.
+    Pieces,
     /// As many for each flame as share it.
     FlameShares,
     /// In each pass of details: one a flame, and as many for each as share it.
@@ -363,6 +369,16 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
         work: Work::Flames,
     },
     KernelUse {
+        stage: Stage::Catch,
+        kernel: "spread/catch",
+        work: Work::FlameSteps,
+    },
+    KernelUse {
+        stage: Stage::Catch,
+        kernel: "spread/caught",
+        work: Work::Pieces,
+    },
+    KernelUse {
         stage: Stage::Lights,
         kernel: "flames/shine",
         work: Work::Flames,
@@ -441,6 +457,11 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
         stage: Stage::Shapes,
         kernel: "draw/front_lines",
         work: Work::FrontLines,
+    },
+    KernelUse {
+        stage: Stage::Shapes,
+        kernel: "draw/smoke",
+        work: Work::Smoke,
     },
     KernelUse {
         stage: Stage::Shapes,
@@ -785,6 +806,7 @@ impl GpuBackend {
                     plan.point_capacity,
                     plan.dropped_capacity,
                     plan.dropped_places,
+                    plan.spreads.piece_count(),
                 ];
                 push(0, 0, &room, Size::Direct(1, 1))
             }
@@ -794,13 +816,16 @@ impl GpuBackend {
             Work::FrontLines if plan.uses.front_lines => {
                 push(0, 0, &[], direct(plan.point_capacity))
             }
+            Work::Smoke if plan.uses.smokes => {
+                push(0, 0, &[plan.dropped_places], direct(plan.dropped_places))
+            }
             Work::Strokes if plan.uses.strokes => (0..paging.page_count).try_for_each(|page| {
                 let [pieces, records] = plan.stroke_records;
                 let size = Size::Indirect(paging.splat_dispatch(page));
                 push(page as usize, 0, &[page, pieces, records], size)
             }),
             Work::ShadeColumns => push(0, 0, &[], direct(plan.shade_cells.pow(2))),
-            Work::Marks | Work::FrontLines | Work::Strokes => Ok(()),
+            Work::Marks | Work::FrontLines | Work::Smoke | Work::Strokes => Ok(()),
             Work::Dropping => push(0, 0, &[plan.dropped_places], direct(plan.point_capacity)),
             Work::FlameRuns => {
                 let count = plan.dropped_capacity;
@@ -811,7 +836,18 @@ impl GpuBackend {
                 let told = [plan.flame_count - count, count, plan.dropped_places];
                 push(0, 0, &told, direct(count))
             }
-            Work::Ignited => push(0, 0, &[], direct(plan.spreads.most_ignited())),
+            Work::Ignited => {
+                let told = [plan.spreads.piece_count()];
+                push(0, 0, &told, direct(plan.spreads.most_ignited()))
+            }
+            Work::FlameSteps => {
+                let told = [plan.flame_count, plan.spreads.piece_count()];
+                push(0, 0, &told, direct(plan.flame_count * (FLAME_STEPS - 1)))
+            }
+            Work::Pieces => {
+                let count = plan.spreads.piece_count();
+                push(0, 0, &[count], direct(count))
+            }
             Work::Flames => push(0, 0, &[plan.flame_count], direct(plan.flame_count)),
             Work::FlameLights => push(0, 0, &[plan.fire_count], direct(FLAME_LIGHTS)),
             Work::FlameDiscs => push(0, 0, &[plan.flame_count, 0, 0], direct(plan.flame_count)),

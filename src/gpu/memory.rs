@@ -191,6 +191,7 @@ impl Memory {
             Stage::Shade => &["shade_sums"],
             Stage::Shapes => &["cover_counts"],
             Stage::Block => &["crowd"],
+            Stage::Catch => &["catches"],
             Stage::Splat if self.has_planet => &[],
             Stage::Splat | Stage::Planet => &["light_low", "light_high", "light_packed"],
             _ => &[],

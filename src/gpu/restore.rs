@@ -39,12 +39,14 @@ impl GpuBackend {
             let (counts, rest) = living.front.split_at(size_of::<SpreadCounts>() / 4);
             let (spans, rest) = rest.split_at(2 * self.ring_count as usize);
             let flames = self.dropped_places as usize * (size_of::<DroppedFlame>() / 4);
-            let (flames, points) = rest.split_at(flames);
+            let (flames, rest) = rest.split_at(flames);
+            let (catches, points) = rest.split_at(4 * self.spreads.piece_count() as usize);
             for (name, words) in [
                 ("spread_counts", counts),
                 ("ring_spans", spans),
                 ("control_points", points),
                 ("dropped_flames", flames),
+                ("catches", catches),
             ] {
                 let buffer = self.memory.named(name)?;
                 self.gpu.write(buffer, 0, bytemuck::cast_slice(words))?;

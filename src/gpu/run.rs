@@ -68,6 +68,7 @@ impl GpuBackend {
             ("light_roots", bytemuck::cast_slice(&inputs.light_roots)),
             ("age_looks", bytemuck::cast_slice(&inputs.age_looks)),
             ("spreads", bytemuck::cast_slice(&inputs.spreads)),
+            ("spread_pieces", bytemuck::cast_slice(&inputs.spread_pieces)),
             ("due_ignitions", bytemuck::cast_slice(&inputs.due_ignitions)),
         ] {
             self.gpu.write(self.memory.named(name)?, 0, bytes)?;

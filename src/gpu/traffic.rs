@@ -291,6 +291,12 @@ static TABLE: &[Line] = &[
         let places = load.flames * u64::from(FLAME_STEPS);
         (places, load.flames * (FLAME + FLAME_PLACES))
     }),
+    ("spread/catch", |load| {
+        let steps = load.flames * u64::from(FLAME_STEPS - 1);
+        (steps, load.flames * (FLAME + FLAME_PLACES))
+    }),
+    // A piece in some frames.
+    ("spread/caught", |_| (1, 4 * WORD)),
     ("flames/shine", |load| {
         (load.flames, load.flames * (FLAME + FLAME_PLACES))
     }),
@@ -327,6 +333,9 @@ static TABLE: &[Line] = &[
         (records, records * (4 * WORD + COVER))
     }),
     ("draw/marks", |load| {
+        (load.marks, load.marks * (DROPPED + COVER))
+    }),
+    ("draw/smoke", |load| {
         (load.marks, load.marks * (DROPPED + COVER))
     }),
     ("draw/front_lines", |load| {

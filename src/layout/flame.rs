@@ -131,6 +131,11 @@ pub struct FireFrame {
     /// How wide it is, world units; how soft, 0 to 1; the inverse of the frames that it glows, and of those
     /// in which it appears.
     pub char_shape: [f32; 4],
+    /// Colour of smoke; how much it hides at most, 0 if there is none.
+    pub smoke_look: [f32; 4],
+    /// How wide it is at first, world units; how many times as wide in the end, less 1; the inverse of the
+    /// frames until it has vanished; how far it goes in a frame where the wind is 1, world units.
+    pub smoke_shape: [f32; 4],
     /// What a weight of 1 throws on a white surface a world unit away; the square of a light's
     /// extent.
     pub light: [f32; 4],

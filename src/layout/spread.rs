@@ -27,6 +27,16 @@ shared_constants! {
     pub const SPREAD_BLOCKS: u32 = 16;
     /// What a point has come beyond d_d counts for the next flame, and it may drop several at once.
     pub const SPREAD_CARRIES: u32 = 32;
+    /// Nothing burns: it runs downhill.
+    pub const SPREAD_SPILL: u32 = 64;
+    /// Nothing burns: it is soaked up, ever more slowly.
+    pub const SPREAD_STAIN: u32 = 128;
+    /// Kinds of grain: none, slabs across a direction, rings around it.
+    pub const GRAIN_NONE: u32 = 0;
+    /// Slabs.
+    pub const GRAIN_STRIPES: u32 = 1;
+    /// Rings.
+    pub const GRAIN_RINGS: u32 = 2;
     /// Bit of `gap_flags`: a point is inserted after this one.
     pub const GAP_INSERTS: u32 = 1;
     /// The point moves.
@@ -136,12 +146,17 @@ pub struct SpreadFrame {
     pub rates: [f32; 4],
     /// d_s and d_d; the inverse of a cell's size; how far apart points are looked at for meetings.
     pub distances: [f32; 4],
-    /// Slot of its fire; `SPREAD_` constants; the others unused.
+    /// Slot of its fire; `SPREAD_` constants; kind of grain (`GRAIN_` constants) and its noise's key.
     pub kinds: [u32; 4],
     /// Colour and opacity of the front's line.
     pub line_look: [f32; 4],
     /// How wide it is, world units, 0 if there is none; the others unused.
     pub line_shape: [f32; 4],
+    /// Unit direction of the grain, the fire's space; its periods a world unit.
+    pub grain: [f32; 4],
+    /// What it takes away of the speed at most, as a share; how far noise shifts it, periods; cells of
+    /// that noise a world unit; unused.
+    pub grain_shape: [f32; 4],
 }
 
 /// A ring that is to begin.
@@ -155,6 +170,24 @@ pub struct Ignition {
     /// How many points those have that begin in the same frame and stand before it; its ring; the
     /// others unused.
     pub order: [u32; 4],
+}
+
+/// A piece of a surface that flames may light, in one frame.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct SpreadPiece {
+    /// From its fire's space to world space: first row.
+    pub world_from_fire_x: [f32; 4],
+    /// Second row.
+    pub world_from_fire_y: [f32; 4],
+    /// Third row.
+    pub world_from_fire_z: [f32; 4],
+    /// Centre and radius of a ball around it, in the fire's space.
+    pub ball: [f32; 4],
+    /// Its first face and how many, 0 where it burns without flames' doing; slot of the spread; its ring.
+    pub faces: [u32; 4],
+    /// How many points that has; its key; a share of a turn a point, as bits; unused.
+    pub ring: [u32; 4],
 }
 
 /// How many points; one record, kept on the device from frame to frame.

@@ -17,6 +17,13 @@ pub struct SurfaceFrame {
     /// First triangle among those stored, how many, and the first's number among those of all
     /// surfaces; w unused.
     pub faces: [u32; 4],
+    /// Unit direction of the grain, the mesh's space; its periods a unit of the mesh.
+    pub grain: [f32; 4],
+    /// What it takes away of the colour at most, as a share; how far noise shifts it, periods; cells of
+    /// that noise a unit of the mesh; unused.
+    pub grain_shape: [f32; 4],
+    /// Kind of grain (`GRAIN_` constants) and its noise's key; the others unused.
+    pub grain_kind: [u32; 4],
 }
 
 /// What falls on surfaces, and what hides them.

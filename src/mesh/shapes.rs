@@ -11,11 +11,15 @@ pub const BUILTIN: [&str; 5] = ["cube", "cylinder", "plane", "sphere", "torus"];
 
 /// The built-in mesh of that name, within 1 of the origin along each axis: a cube of edge 2, a
 /// cylinder of radius 1 and height 2, a plane 2 by 2, a sphere of radius 1, a torus of radii 0.7
-/// and 0.3. `None` if there is none.
+/// and 0.3; or, of `letters:` and a text, that text ([`letters`](super::letters)). `None` if there is
+/// none.
 ///
 /// # Errors
-/// None of them fails; the type is that of the functions.
+/// Those of letters; none of the others fails.
 pub fn builtin(name: &str) -> Option<Result<Mesh, MeshError>> {
+    if let Some(text) = name.strip_prefix("letters:") {
+        return Some(super::letters(text));
+    }
     Some(match name {
         "cube" => cube(2.0),
         "cylinder" => cylinder(1.0, 2.0, 96),

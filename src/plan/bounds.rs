@@ -72,6 +72,7 @@ pub(super) fn lifetime_bound(
                             "a lifetime, or a scene (`frames`) and a run of at most \
                              {MOST_UNLIMITED_FRAMES} frames"
                         ),
+                        key: Some(format!("system.{}", system.name)),
                     });
                 }
                 None => frames as u32 + 1,
@@ -116,6 +117,7 @@ pub(super) fn capacity(
         help: "give the scene `capacity = N`, the most particles alive at once; births beyond it \
                are left out and counted as dropped"
             .into(),
+        key: None,
     };
     let frames = (i64::from(frame_end) - i64::from(first)) as usize;
     if frames as u64 * systems as u64 > MOST_STEPS {

@@ -5,8 +5,9 @@ use crate::layout::{
     AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, DroppedFlame, FLAME_LIGHTS, FLAME_STEPS,
     FireFrame, Flame, FlameDisc, FlameLight, FlockFrame, Frame, FrameStats, Ground, Ignition, Lamp,
     ListedFlame, Node, Obstacle, Particle, Pillar, Planet, Pose, ROWS_A_SOLID_FACE, Relation,
-    ShadeBox, SpreadCounts, SpreadEdge, SpreadFace, SpreadFeature, SpreadFrame, SpreadPoint,
-    StripJoint, StrokeLight, SurfaceFrame, SurfaceLight, SystemFrame, SystemRow, Walker, Wind,
+    ShadeBox, SpreadCounts, SpreadEdge, SpreadFace, SpreadFeature, SpreadFrame, SpreadPiece,
+    SpreadPoint, StripJoint, StrokeLight, SurfaceFrame, SurfaceLight, SystemFrame, SystemRow,
+    Walker, Wind,
 };
 
 /// What a buffer is for.
@@ -87,6 +88,8 @@ pub enum Count {
     SpreadFeatures,
     /// One a ring of control points.
     Rings,
+    /// So many for each piece that flames may light.
+    Pieces(u32),
     /// One for each place of a flame that control points have dropped.
     DroppedPlaces,
     /// One for every so many flames that control points may have dropped.
@@ -543,6 +546,14 @@ pub static BUFFERS: &[Buffer] = {
             size_of::<SpreadCounts>(),
             Count::Fixed(1),
         ),
+        buffer_of(
+            "spread_pieces",
+            Input,
+            "SpreadPiece",
+            size_of::<SpreadPiece>(),
+            Count::Pieces(1),
+        ),
+        buffer_of("catches", State, "u32", 4, Count::Pieces(4)),
         buffer_of("ring_spans", State, "vec2<u32>", 8, Count::Rings),
         buffer_of(
             "control_points",
@@ -646,6 +657,7 @@ impl Buffer {
             Count::SpreadFaces(each) => plan.spreads.faces.len() as u32 * each,
             Count::SpreadFeatures => plan.spreads.features.len() as u32,
             Count::Rings => plan.ring_count,
+            Count::Pieces(each) => plan.spreads.piece_count() * each,
             Count::DroppedPlaces => plan.dropped_places,
             Count::DroppedFlames(each) => plan.dropped_capacity.div_ceil(each),
             Count::Crowd if plan.blocks => plan.crowd_lists() + plan.point_capacity,

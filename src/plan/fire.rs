@@ -90,6 +90,7 @@ fn fire_frame(
     let flags = flag(fire.normalised, layout::FIRE_NORMALISED) | flag(is_strip, layout::FIRE_STRIP);
     let burning = fire.burning;
     let (char_look, char_shape) = char_of(fire);
+    let (smoke_look, smoke_shape) = smoke_of(fire);
     FireFrame {
         world_from_fire_x: here[0],
         world_from_fire_y: here[1],
@@ -157,6 +158,8 @@ fn fire_frame(
         .map(snap),
         char_look,
         char_shape,
+        smoke_look,
+        smoke_shape,
         light: [0.0; 4],
         light_scale: [0.0; 4],
         lights: [0; 4],
@@ -179,8 +182,24 @@ fn char_of(fire: &Fire) -> ([f32; 4], [f32; 4]) {
     })
 }
 
+/// [`FireFrame::smoke_look`] and [`FireFrame::smoke_shape`].
+fn smoke_of(fire: &Fire) -> ([f32; 4], [f32; 4]) {
+    let left = fire.spread.as_ref().and_then(|spread| spread.smoke);
+    left.map_or(([0.0; 4], [0.0; 4]), |smoke| {
+        let [red, green, blue] = smoke.color;
+        let shape = [
+            smoke.size,
+            smoke.growth - 1.0,
+            1.0 / smoke.frames,
+            smoke.speed,
+        ];
+        let look = [red, green, blue, smoke.opacity];
+        (look.map(snap), shape.map(snap))
+    })
+}
+
 /// One noise for all fires, so that flames of several move together where they are near.
-fn noise_key(seed: u64) -> u32 {
+pub(super) fn noise_key(seed: u64) -> u32 {
     pcg4d(UVec4::new(seed as u32, (seed >> 32) as u32, 0, NOISE_TAG)).x
 }
 

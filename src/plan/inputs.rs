@@ -17,7 +17,7 @@ use super::wind::winds_of;
 use crate::layout::{
     AgeLook, Bound, Brood, FireFrame, FlockFrame, Frame, Ground, Ignition, Lamp, ListedFlame,
     Obstacle, Pillar, Planet, Pose, Relation, SYSTEM_BEARS_SYSTEMS, ShadeBox, SpreadFrame,
-    StrokeLight, SurfaceFrame, SurfaceLight, SystemFrame, SystemRow, Wind,
+    SpreadPiece, StrokeLight, SurfaceFrame, SurfaceLight, SystemFrame, SystemRow, Wind,
 };
 use crate::scene::Scene;
 
@@ -76,6 +76,8 @@ pub struct FrameInputs {
     pub age_looks: Vec<AgeLook>,
     /// One a fire that spreads.
     pub spreads: Vec<SpreadFrame>,
+    /// Pieces that flames may light, fire by fire.
+    pub spread_pieces: Vec<SpreadPiece>,
     /// The rings that begin; if there are none, one without points if any fire spreads.
     pub due_ignitions: Vec<Ignition>,
     /// Whether flocks begin in this frame: their boids are put where they are at first.
@@ -135,6 +137,7 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
         lamps_of(&now).0
     };
     let (fires, listed_flames, age_looks) = fires_of(&now, &earlier, &plan.meshes, number);
+    let spread_pieces = plan.spreads.pieces(&fires, number);
     let light_roots = light_roots(&now, &fires, &plan.spreads);
     let flame_lights = fires.iter().map(|fire| fire.lights[1]).sum();
     let (grounds, pillars) = ground_of(&now, flame_lights);
@@ -175,6 +178,7 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
         listed_flames,
         age_looks,
         spreads: spread_frames(&now),
+        spread_pieces,
         due_ignitions: plan.spreads.due(number),
         hatches: number == plan.first_frame,
     }

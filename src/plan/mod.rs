@@ -43,7 +43,7 @@ pub use uses::Uses;
 
 use std::sync::Arc;
 
-use crate::scene::{Blend, Camera, Fire, Owner, Scene, Track};
+use crate::scene::{Blend, Camera, Fire, FireSpread, Owner, Scene, Track};
 
 /// Why a scene cannot become a plan: it is the scene's fault, and the message says what to change.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -52,6 +52,17 @@ pub struct PlanError {
     pub message: String,
     /// What would be right.
     pub help: String,
+    /// The key of the scene that is at fault, as [`load_with`](crate::scene::load_with) takes its
+    /// path, such as `flock.crows.count`; `None` if there is no one key.
+    pub key: Option<String>,
+}
+
+impl PlanError {
+    /// With the key that is at fault.
+    fn of_key(mut self, key: impl Into<String>) -> Self {
+        self.key = Some(key.into());
+        self
+    }
 }
 
 impl std::fmt::Display for PlanError {
@@ -262,7 +273,7 @@ impl Plan {
             meshes: Arc::new(MeshTables::new(&scenes)?),
             solids: Arc::new(SolidTables::new(&scenes)),
             spread_count: spread::spreads_of(scene).count() as u32,
-            ring_count: spreads.ignitions.len() as u32,
+            ring_count: spreads.ignitions.len() as u32 + spreads.piece_count(),
             blocks: scenes.iter().any(|scene| {
                 spread::spreads_of(scene).any(|(_, spread)| spread.prevents_double_burning)
             }),
@@ -386,6 +397,7 @@ impl Plan {
             Stage::Shade => self.shade_cells > 0,
             Stage::Front | Stage::Insert => self.spread_count > 0,
             Stage::Block => self.blocks,
+            Stage::Catch => self.spreads.piece_count() > 0,
             Stage::Strips => self.uses.strips,
             Stage::Kindle | Stage::Trace | Stage::FlameDiscs | Stage::Glow => self.fire_count > 0,
             _ => true,
@@ -397,7 +409,7 @@ impl Plan {
         (2 * self.point_capacity).next_power_of_two()
     }
 
-    /// Records of what covers, at most: one a particle, those of boids, of marks, of fronts and of strokes, if
+    /// Records of what covers, at most: one a particle, those of boids, of marks, of fronts, of smoke and of strokes, if
     /// anything covers.
     pub fn cover_capacity(&self) -> u32 {
         if self.uses.covers {
@@ -411,9 +423,14 @@ impl Plan {
             } else {
                 0
             };
+            let smoke = if self.uses.smokes {
+                self.dropped_places
+            } else {
+                0
+            };
             let strokes = self.capacity.saturating_mul(self.stroke_records[1]);
             let own = self.capacity.saturating_add(strokes);
-            own.saturating_add(self.boid_cover_count + marks + lines)
+            own.saturating_add(self.boid_cover_count + marks + lines + smoke)
         } else {
             0
         }
@@ -449,7 +466,14 @@ fn point_capacity(scene: &Scene) -> Result<u32, PlanError> {
     Err(PlanError {
         message: format!("this scene's fires may have {wanted} control points in all"),
         help: format!("`max_points` that sum to at most {MOST}"),
+        key: costliest(scene, "spread.max_points", |spread| spread.max_points),
     })
+}
+
+/// The key below the fire that has the most of it.
+fn costliest(scene: &Scene, key: &str, most: impl Fn(&FireSpread) -> u32) -> Option<String> {
+    let (fire, _) = spread::spreads_of(scene).max_by_key(|(_, spread)| most(spread))?;
+    Some(format!("fire.{}.{key}", scene.fires[fire].name))
 }
 
 /// Flames that control points may have dropped at once, of all fires together.
@@ -461,14 +485,20 @@ fn dropped_capacity(scene: &Scene) -> u32 {
 /// Places for marks of flames that have gone out, of all fires together.
 fn mark_places(scene: &Scene) -> Result<u32, PlanError> {
     const MOST: u32 = 1_000_000;
-    let chars = spread::spreads_of(scene).filter_map(|(_, spread)| spread.char);
-    let wanted = chars.fold(0u32, |sum, char| sum.saturating_add(char.max_marks));
+    let wanted = spread::spreads_of(scene).fold(0u32, |sum, (_, spread)| {
+        let marks = spread.char.map_or(0, |char| char.max_marks);
+        let puffs = spread.smoke.map_or(0, |smoke| smoke.max_puffs);
+        sum.saturating_add(marks.max(puffs))
+    });
     if wanted <= MOST {
         return Ok(wanted);
     }
     Err(PlanError {
         message: format!("this scene's fires may leave {wanted} marks in all"),
-        help: format!("`max_marks` that sum to at most {MOST}"),
+        help: format!("`max_marks` and `max_puffs` that sum to at most {MOST}"),
+        key: costliest(scene, "spread.char.max_marks", |spread| {
+            spread.char.map_or(0, |char| char.max_marks)
+        }),
     })
 }
 
@@ -485,6 +515,7 @@ fn check_bounds(scenes: &[&Scene]) -> Result<(), PlanError> {
     Err(PlanError {
         message: format!("this scene has {most} extinctions by place in all"),
         help: format!("at most {}", Plan::MOST_BOUNDS),
+        key: None,
     })
 }
 
@@ -496,7 +527,7 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
             .map(|flock| (flock.name.clone(), flock.count, flock.trail_frames))
             .collect()
     };
-    type Burns = Option<(u64, [u32; 3], Vec<crate::scene::Ignition>)>;
+    type Burns = Option<(u64, [u32; 4], Vec<crate::scene::Ignition>)>;
     let fires = |scene: &Scene| -> Vec<(String, usize, u32, Burns)> {
         let fires = scene.fires.iter();
         fires
@@ -504,7 +535,10 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
                 let spread = fire.spread.as_ref().map(|spread| {
                     let digest = spread.surface.digest();
                     let marks = spread.char.map_or(0, |char| char.max_marks);
-                    let most = [spread.max_points, spread.max_flames, marks];
+                    let puffs = spread.smoke.map_or(0, |smoke| smoke.max_puffs);
+                    let marks = marks.max(puffs);
+                    let caught = spread.catch_points.unwrap_or(0);
+                    let most = [spread.max_points, spread.max_flames, marks, caught];
                     (digest, most, spread.ignitions.clone())
                 });
                 (fire.name.clone(), fire.listed.len(), fire.count(), spread)
@@ -561,8 +595,7 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
             help: "the list of systems, their names, parents and `blend`, which are of strokes, of how many pieces and whether with shadows, whether clouds throw shadows and in how many cells, whether there is a planet, whether a ground or pillars, the number of surfaces, their meshes and `crease_degrees`, the flocks' and fires' names and counts, `trail_frames`, what fires spread over from where and their `max_points`, the \
                    number of layers, the image size, the seed and the capacity stay as the scene has \
                    them"
-                .into(),
-        });
+                .into(), key: None });
     }
     Ok(())
 }

@@ -32,6 +32,8 @@ pub enum Stage {
     Kindle,
     /// The trajectories of flames through the wind.
     Trace,
+    /// Where flames meet what does not burn yet.
+    Catch,
     /// Flames give light to the points that stand for them.
     Lights,
     /// The ground and the pillars on it, in that light.
@@ -140,6 +142,8 @@ pub static STAGES: &[StageInfo] = &[
             "moved_points",
             "fires",
             "dropped_flames",
+            "spread_pieces",
+            "catches",
         ],
         writes: &[
             "control_points",
@@ -255,6 +259,20 @@ pub static STAGES: &[StageInfo] = &[
         draws: false,
     },
     StageInfo {
+        stage: Stage::Catch,
+        name: "catch",
+        reads: &[
+            "flames",
+            "flame_steps",
+            "ring_spans",
+            "spread_pieces",
+            "spread_faces",
+            "spread_edges",
+        ],
+        writes: &["catches"],
+        draws: false,
+    },
+    StageInfo {
         stage: Stage::Lights,
         name: "gather",
         reads: &["fires", "flames", "flame_steps", "light_roots"],
@@ -316,6 +334,7 @@ pub static STAGES: &[StageInfo] = &[
             "ring_spans",
             "control_points",
             "dropped_flames",
+            "winds",
             "layer_planes",
             "stroke_light",
             "shade_box",
@@ -453,6 +472,7 @@ impl Stage {
                 let blocks = |spread: &SpreadFrame| spread.kinds[1] & SPREAD_BLOCKS != 0;
                 inputs.spreads.iter().any(blocks)
             }
+            Self::Catch => !inputs.spread_pieces.is_empty(),
             Self::Hatch => inputs.hatches && !inputs.flocks.is_empty(),
             Self::Cells | Self::Steer => !inputs.flocks.is_empty(),
             Self::Kindle | Self::Trace | Self::FlameDiscs | Self::Glow => !inputs.fires.is_empty(),

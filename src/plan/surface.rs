@@ -5,7 +5,9 @@ use std::collections::HashMap;
 use glam::Vec3;
 
 use super::PlanError;
+use super::fire::noise_key;
 use super::planet::lamps_of;
+use super::spread::grain_of;
 use super::system::pose_of;
 use crate::exact::{normalize_exact, snap};
 use crate::layout::{Ground, Planet, SurfaceFrame, SurfaceLight};
@@ -34,9 +36,13 @@ impl SurfaceTables {
     /// The tables of all meshes that are seen in the scenes.
     pub(super) fn new(scenes: &[&Scene]) -> Result<Self, PlanError> {
         let mut tables = Self::default();
-        for surface in scenes.iter().flat_map(|scene| &scene.surfaces) {
+        for (at, surface) in scenes
+            .iter()
+            .flat_map(|one| one.surfaces.iter().enumerate())
+        {
             if tables.place_of(surface).is_none() {
-                tables.add(surface)?;
+                let key = || format!("surface.{at}.mesh");
+                tables.add(surface).map_err(|error| error.of_key(key()))?;
             }
         }
         Ok(tables)
@@ -72,6 +78,7 @@ fn too_many(count: usize) -> PlanError {
     PlanError {
         message: format!("this scene's surfaces have {count} triangles"),
         help: format!("at most {MOST_TRIANGLES} in all"),
+        key: None,
     }
 }
 
@@ -133,7 +140,10 @@ pub(super) fn face_count(scene: &Scene) -> Result<u32, PlanError> {
     let counts = scene.surfaces.iter();
     let count = counts.map(|one| one.mesh.triangles().len()).sum();
     if count > MOST_TRIANGLES {
-        return Err(too_many(count));
+        let largest = (0..scene.surfaces.len())
+            .max_by_key(|at| scene.surfaces[*at].mesh.triangles().len())
+            .unwrap_or(0);
+        return Err(too_many(count).of_key(format!("surface.{largest}.mesh")));
     }
     Ok(count as u32)
 }
@@ -151,6 +161,7 @@ pub(super) fn check_surfaces(scene: &Scene) -> Result<(), PlanError> {
     Err(PlanError {
         message: "this scene has a surface and an orthographic camera".into(),
         help: "a camera in perspective, or no `surface`".into(),
+        key: Some("camera.projection".into()),
     })
 }
 
@@ -175,6 +186,8 @@ pub(super) fn surfaces_of(
             [x, y, z, at]
         };
         let [x, y, z] = rows.map(scaled);
+        let (kind, [x_of, y_of, z_of, scale], shape) = grain_of(surface.grain.as_ref());
+        let [strength, shift, noise_scale, _] = shape;
         let number = before;
         before += count;
         SurfaceFrame {
@@ -183,6 +196,9 @@ pub(super) fn surfaces_of(
             world_from_mesh_z: z,
             color: with(surface.color),
             faces: [first, count, number, 0],
+            grain: [x_of, y_of, z_of, scale * surface.scale].map(snap),
+            grain_shape: [strength, shift, noise_scale * surface.scale, 0.0].map(snap),
+            grain_kind: [kind, noise_key(scene.seed), 0, 0],
         }
     };
     let surfaces: Vec<SurfaceFrame> = scene.surfaces.iter().map(seen).collect();

@@ -85,6 +85,7 @@ impl Plan {
             Err(PlanError {
                 message: format!("the change at frame {frame} {message}"),
                 help: help.to_owned(),
+                key: None,
             })
         };
         let begin_anew = "begin a new run with it, among the turns that are known";

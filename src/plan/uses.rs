@@ -2,9 +2,10 @@
 
 use super::FrameInputs;
 use crate::layout::{
-    BOID_CONE, BOID_TRIANGLE, EDGES_TORUS, FIRE_STRIP, FireFrame, FlockFrame, OBSTACLE_MESH,
-    Obstacle, PARTICLE_RECTANGLE, PARTICLE_STREAK, PARTICLE_STROKE, ROW_OVER, Relation, SHAPE_MESH,
-    SystemFrame, SystemRow, WIND_ATTRACTOR, WIND_CURL, WIND_SOURCE, WIND_VORTEX, Wind,
+    BOID_CONE, BOID_TRIANGLE, EDGES_TORUS, FIRE_STRIP, FireFrame, FlockFrame, GRAIN_NONE,
+    OBSTACLE_MESH, Obstacle, PARTICLE_RECTANGLE, PARTICLE_STREAK, PARTICLE_STROKE, ROW_OVER,
+    Relation, SHAPE_MESH, SystemFrame, SystemRow, WIND_ATTRACTOR, WIND_CURL, WIND_SOURCE,
+    WIND_VORTEX, Wind,
 };
 
 macro_rules! uses {
@@ -76,6 +77,8 @@ uses! {
     ground "GROUND";
     /// Meshes that are seen.
     surfaces "SURFACES";
+    /// Surfaces with grain, seen or burning.
+    grains "GRAINS";
     /// Flames with details.
     details "DETAILS";
     /// Particles of flames with a matrix.
@@ -108,6 +111,8 @@ uses! {
     mirrors "MIRRORS";
     /// Marks of flames that have gone out.
     marks "MARKS";
+    /// Smoke where dropped flames have gone out.
+    smokes "SMOKES";
     /// Fronts that are drawn as lines.
     front_lines "FRONT_LINES";
     /// Whole trajectories.
@@ -182,6 +187,7 @@ impl Uses {
         let systems = inputs.systems.iter().map(Self::of_system);
         let winds = inputs.winds.iter().map(Self::of_wind);
         let marks = inputs.fires.iter().any(|fire| fire.char_look[3] > 0.0);
+        let smokes = inputs.fires.iter().any(|fire| fire.smoke_look[3] > 0.0);
         let front_lines = inputs
             .spreads
             .iter()
@@ -193,10 +199,16 @@ impl Uses {
             strips: inputs.fires.iter().any(is_strip),
             ground: !inputs.grounds.is_empty(),
             surfaces: !inputs.surfaces.is_empty(),
+            grains: inputs
+                .surfaces
+                .iter()
+                .any(|one| one.grain_kind[0] != GRAIN_NONE)
+                || inputs.spreads.iter().any(|one| one.kinds[2] != GRAIN_NONE),
             layers: !inputs.layer_planes.is_empty(),
-            covers: inputs.flocks.iter().any(is_drawn) || marks || front_lines,
+            covers: inputs.flocks.iter().any(is_drawn) || marks || smokes || front_lines,
             shades: !inputs.shade_boxes.is_empty(),
             marks,
+            smokes,
             front_lines,
             triangles: inputs.flocks.iter().any(has_triangles),
             trails: inputs.flocks.iter().any(has_trails),

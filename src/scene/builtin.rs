@@ -46,7 +46,9 @@ pub const BUILTIN: &[BuiltinScene] = builtin![
     "bronze-knot",
     "burning-cube",
     "burning-house",
+    "burning-letters",
     "burning-log",
+    "burning-torus",
     "candle",
     "candle-wind",
     "candles",
@@ -63,6 +65,7 @@ pub const BUILTIN: &[BuiltinScene] = builtin![
     "flames-rejected",
     "flock",
     "flock-million",
+    "forest",
     "fountain",
     "genesis",
     "genesis-engulfed",
@@ -72,6 +75,7 @@ pub const BUILTIN: &[BuiltinScene] = builtin![
     "genesis-wall",
     "million",
     "murmuration",
+    "paper",
     "predators",
     "predators-ignored",
     "ribbons",
@@ -81,23 +85,37 @@ pub const BUILTIN: &[BuiltinScene] = builtin![
     "school",
     "smoke-ring",
     "sparks-in-wind",
+    "spill",
     "torch",
     "torch-moving",
     "two-flocks",
     "two-flocks-predators",
     "wall-spread",
     "white-sand",
+    "wood-grain",
 ];
 
 /// Files that built-in scenes name, by their paths.
 pub const BUILTIN_FILES: &[(&str, &[u8])] = &[
     (
+        "meshes/forest.obj",
+        include_bytes!("../../scenes/meshes/forest.obj"),
+    ),
+    (
         "meshes/house.obj",
         include_bytes!("../../scenes/meshes/house.obj"),
     ),
     (
+        "meshes/paper.obj",
+        include_bytes!("../../scenes/meshes/paper.obj"),
+    ),
+    (
         "meshes/torus-knot.obj",
         include_bytes!("../../scenes/meshes/torus-knot.obj"),
+    ),
+    (
+        "meshes/volcano.obj",
+        include_bytes!("../../scenes/meshes/volcano.obj"),
     ),
 ];
 

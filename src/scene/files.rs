@@ -158,7 +158,7 @@ impl Files {
                 carried.join(", ")
             }
         };
-        format!("{files}, or one of {names}")
+        format!("{files}, or one of {names}, or letters:TEXT")
     }
 
     /// The folder that paths are relative to; empty for the current one.

@@ -61,7 +61,8 @@ pub use picture::{
 };
 pub(crate) use set::Set;
 pub use spread::{
-    Char, Curvature, FireSpread, FluxFormula, FrontHeading, FrontLine, Ignition, Insertion,
+    Char, Curvature, FireSpread, FluxFormula, FrontHeading, FrontLine, Grain, GrainPattern,
+    Ignition, Insertion, Smoke, SpreadLaw,
 };
 pub use surface::LitSurface;
 pub use system::{

@@ -13,15 +13,18 @@ pub struct FireSpread {
     pub surface: Arc<Surface>,
     /// Where and when it begins, at least one, at most 256.
     pub ignitions: Vec<Ignition>,
+    /// How many control points a piece begins with that flames light, 3 ..= 256; `None`: they do not.
+    pub catch_points: Option<u32>,
     /// K of Table 3.1: factor of all speeds, 0 ..= 1,000. Default 0.04.
     pub time_scale: f32,
     /// q_o, heat that the opposed mechanism conveys, 0 ..= 10^9. Default 0.09.
     pub opposed_flux: f32,
     /// q_c, heat that the concurrent mechanism conveys along the wind, 0 ..= 10^9. Default 0.13.
     pub concurrent_flux: f32,
-    /// rho dh, heat that a unit of volume takes to burn, 0.000001 ..= 10^12. Default 0.5.
+    /// rho dh, heat that a unit of volume takes to burn, 0.000001 ..= 10^12. Default 0.5; a `formula` has
+    /// its own.
     pub ignition_heat: f32,
-    /// What q_o and q_c are computed from instead, if they are.
+    /// What q_o, q_c and rho dh are computed from instead, if they are.
     pub formula: Option<FluxFormula>,
     /// d_d, world units between flames that a control point drops, 0.000001 ..= 10,000.
     pub drop_distance: f32,
@@ -29,6 +32,10 @@ pub struct FireSpread {
     pub separation: f32,
     /// d_t, world units from an edge within which it counts, 0.000001 ..= 10,000.
     pub curvature_distance: f32,
+    /// What moves it.
+    pub law: SpreadLaw,
+    /// What makes it slower here and there, if anything does.
+    pub grain: Option<Grain>,
     /// What edges do.
     pub curvature: Curvature,
     /// Where control points head.
@@ -43,6 +50,8 @@ pub struct FireSpread {
     pub max_flames: u32,
     /// The marks that its flames leave, if they do.
     pub char: Option<Char>,
+    /// The smoke that rises from them, if any does.
+    pub smoke: Option<Smoke>,
     /// The front as a line, if it is drawn.
     pub line: Option<FrontLine>,
     /// Control points at most, 8 ..= 1,000,000. Default 20,000.
@@ -66,6 +75,25 @@ pub struct Char {
     pub appear_frames: f32,
     /// Marks at most, 1 ..= 200,000. Default 10,000.
     pub max_marks: u32,
+}
+
+/// Smoke where flames have gone out (Perry 1994, 4.6).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Smoke {
+    /// World units a frame where u is 1, 0 ..= 10,000. Default 0.02.
+    pub speed: f32,
+    /// Frames until it has vanished, 1 ..= 1,000,000. Default 60.
+    pub frames: f32,
+    /// World units at first, 0.000001 ..= 10,000. Default 0.1.
+    pub size: f32,
+    /// How many times as wide in the end, 0 ..= 1,000. Default 4.
+    pub growth: f32,
+    /// Red, green, blue, each 0 ..= 1,000. Default dark grey.
+    pub color: [f32; 3],
+    /// 0 ..= 1. Default 0.15.
+    pub opacity: f32,
+    /// Puffs at most, 1 ..= 200,000. Default 10,000.
+    pub max_puffs: u32,
 }
 
 /// A front as a line (Perry 1994, 4.7).
@@ -107,6 +135,47 @@ pub struct FluxFormula {
     pub flame_angle_degrees: f32,
     /// L, metres, 0.000001 ..= 1,000.
     pub thickness: f32,
+    /// rho, kg/m^3, 0.001 ..= 1,000,000. Default 600.
+    pub density: f32,
+    /// dh, J/kg, 0.001 ..= 10^9. Default 500,000.
+    pub enthalpy: f32,
+}
+
+/// What moves a front (Perry 1994, 3.3.1 and 3.3.3).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SpreadLaw {
+    /// Heat: equation 3.4.
+    Fire,
+    /// Gravity along the surface.
+    Spill,
+    /// What soaks it up: as far as the root of the time.
+    Stain,
+}
+
+/// A pattern as wood has it (Perry 1994, 4.4), in an object's space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grain {
+    /// Slabs or rings.
+    pub pattern: GrainPattern,
+    /// Across slabs, or the middle of rings; not zero.
+    pub direction: [f32; 3],
+    /// Periods a world unit, 0 ..= 10,000.
+    pub scale: f32,
+    /// What it takes away where it is densest, 0 ..= 1. Default 0.5.
+    pub strength: f32,
+    /// How far noise shifts it, periods, 0 ..= 1,000. Default 0.
+    pub shift: f32,
+    /// Cells of that noise a world unit, 0 ..= 10,000. Default 1.
+    pub noise_scale: f32,
+}
+
+/// What a grain looks like.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GrainPattern {
+    /// Slabs, of which every other half of a period is dense.
+    Stripes,
+    /// Rings, which fade inward and outward.
+    Rings,
 }
 
 /// How edges change the speed.
@@ -157,6 +226,14 @@ impl FluxFormula {
 }
 
 impl FireSpread {
+    /// rho dh, given or computed: a flux through it is a speed (equation 3.2).
+    pub fn heat(&self) -> f32 {
+        match &self.formula {
+            Some(formula) => formula.density * formula.enthalpy,
+            None => self.ignition_heat,
+        }
+    }
+
     /// q_o and q_c, given or computed.
     pub fn fluxes(&self) -> [f32; 2] {
         match &self.formula {

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::Grain;
 use crate::mesh::Mesh;
 
 /// A mesh that is lit, and hides what is behind it.
@@ -17,6 +18,8 @@ pub struct LitSurface {
     pub scale: f32,
     /// The part of the light that it reflects, each 0 ..= 1. Default 0.3.
     pub color: [f32; 3],
+    /// What makes it darker here and there, if anything does, in the mesh's coordinates times `scale`.
+    pub grain: Option<Grain>,
     /// Triangles that meet at less than this angle look as one curved surface, 0 ..= 180 degrees.
     /// Default 40.
     pub crease_degrees: f32,

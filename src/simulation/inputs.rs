@@ -9,7 +9,13 @@ use crate::plan::{FrameInputs, Plan, PlanError};
 
 /// Whether lists of the caller's making are as long as the plan's, or as they can be.
 pub(super) fn check_sizes(plan: &Plan, inputs: &FrameInputs) -> Result<(), PlanError> {
-    let refuse = |message: String, help: String| Err(PlanError { message, help });
+    let refuse = |message: String, help: String| {
+        Err(PlanError {
+            message,
+            help,
+            key: None,
+        })
+    };
     let slots = plan.own_system_count as usize;
     let of_tree = if plan.tree_levels > 0 { slots } else { 0 };
     let lists = [

@@ -194,11 +194,18 @@ fn front_fits(plan: &Plan, front: &[u32]) -> bool {
     };
     let rings = plan.ring_count as usize;
     let flames = plan.dropped_places as usize * DROPPED_WORDS;
-    if rest.len() < 2 * rings + flames {
+    let catches = 4 * plan.spreads.piece_count() as usize;
+    if rest.len() < 2 * rings + flames + catches {
         return false;
     }
     let (spans, rest) = rest.split_at(2 * rings);
-    let (flames, points) = rest.split_at(flames);
+    let (flames, rest) = rest.split_at(flames);
+    let (catches, points) = rest.split_at(catches);
+    let (catches, _) = catches.as_chunks::<4>();
+    // Each piece burns where one of its faces is.
+    let is_on = |(caught, [first, count]): (&[u32; 4], [u32; 2])| {
+        caught[0] == 0 || (first..first + count).contains(&caught[1])
+    };
     let (flames, _) = flames.as_chunks::<DROPPED_WORDS>();
     let (points, odd) = points.as_chunks::<POINT_WORDS>();
     let [total, ..] = *counts;
@@ -214,6 +221,7 @@ fn front_fits(plan: &Plan, front: &[u32]) -> bool {
     let has_fire = |flame: &[u32; DROPPED_WORDS]| flame[3] < plan.fire_count;
     odd.is_empty()
         && flames.iter().all(has_fire)
+        && catches.iter().zip(plan.spreads.piece_faces()).all(is_on)
         && total as usize == points.len()
         && total <= plan.point_capacity
         && (0..).zip(points).all(is_in_place)
@@ -248,6 +256,7 @@ impl Simulation {
                 "spread_counts",
                 "ring_spans",
                 "dropped_flames",
+                "catches",
                 "control_points",
             ] {
                 words.extend(self.backend.read(buffer)?);

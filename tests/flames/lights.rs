@@ -293,3 +293,26 @@ fn grounds_need_a_place_to_be_seen_from() {
     let refused = Plan::new(&scene, 1).expect_err("it cannot be seen");
     assert!(refused.message.contains("orthographic"), "{refused}");
 }
+
+#[test]
+fn p45_a_light_of_what_burns_is_as_large_as_its_part_of_it() {
+    // Half of a cube's edge is 0.5: its area is 6, which so many lights share. They are no larger than a
+    // flame is high, and no smaller than those of other fires.
+    for (lights, height, wanted) in [
+        (10, 1.0, (6.0 / (10.0 * std::f64::consts::PI)).sqrt()),
+        (40, 1.0, (6.0 / (40.0 * std::f64::consts::PI)).sqrt()),
+        (10, 0.3, 0.3),
+        (64, 2.0, 0.4),
+    ] {
+        let scene = common::scene_of(&format!(
+            "camera = {{ position = [0, 1, 5], target = [0, 0, 0] }}\n[ground]\nradius = 5\n[[fire]]\nname = \"fire\"\nheight = {height}\nlights = {lights}\n\
+             [fire.spread]\nmesh = \"cube\"\nscale = 0.5\n[[fire.spread.ignition]]\nposition = [0, 0, 0.5]"
+        ));
+        let plan = motes::plan::Plan::new(&scene, 1).expect("it can be planned");
+        let extent = f64::from(plan.inputs(0).fires[0].light[3]).sqrt();
+        assert!(
+            (extent - wanted).abs() < 1e-4,
+            "{lights}, {height}: {extent} instead of {wanted}"
+        );
+    }
+}

@@ -184,3 +184,94 @@ fn digests_tell_meshes_apart() {
     assert_eq!(digests.len(), 7);
     assert_eq!(right(cube(2.0)), right(cube(2.0)));
 }
+
+/// Every letter that there is.
+const ALL: &str = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789!?.-";
+
+#[test]
+fn letters_are_closed_and_can_be_walked_on() {
+    for letter in ALL.chars() {
+        let mesh = right(mesh::letters(&letter.to_string()));
+        assert!(is_closed(&mesh), "{letter}");
+        let surface = mesh::Surface::new(&mesh, 1.0);
+        let surface = surface.unwrap_or_else(|e| panic!("{letter}: {}", e.what));
+        assert!(
+            surface.notes().is_empty(),
+            "{letter}: {:?}",
+            surface.notes()
+        );
+        // As high as they should be, and no higher; as deep; in the middle.
+        let over = |axis: usize| {
+            let all = mesh.positions().iter().map(|place| place[axis]);
+            all.fold((f32::MAX, f32::MIN), |(low, high), x| {
+                (low.min(x), high.max(x))
+            })
+        };
+        let tall = !".-".contains(letter);
+        assert!(!tall || over(1) == (-0.5, 0.5), "{letter}: {:?}", over(1));
+        assert_eq!(over(2), (-0.15, 0.15));
+        assert!((over(0).0 + over(0).1).abs() < 1e-6);
+    }
+}
+
+#[test]
+fn letters_have_the_areas_and_holes_that_they_should() {
+    // Of cells a tenth wide: full ones, and halves.
+    let volume_of = |text: &str, cells: f64| {
+        let mesh = right(mesh::letters(text));
+        assert_near(text, volume(&mesh), cells * 0.01 * 0.3);
+    };
+    volume_of("I", 20.0);
+    volume_of("L", 16.0 + 14.0);
+    volume_of("T", 16.0 + 16.0);
+    // 80, less the corners cut off: outside four triangles of 2, inside a hole of 4 by 6 less four of a half.
+    volume_of("O", 80.0 - 8.0 - (24.0 - 2.0));
+    // Euler: 2 for each letter, 2 less for each hole.
+    for (text, wanted) in [
+        ("I", 2),
+        ("O", 0),
+        ("B", -2),
+        ("8", -2),
+        ("FIRE", 6),
+        ("! ?", 8),
+    ] {
+        assert_eq!(euler(&right(mesh::letters(text))), wanted, "{text}");
+    }
+    let mesh = right(mesh::letters("To be"));
+    let groups: Vec<&str> = mesh
+        .parts()
+        .iter()
+        .map(|part| part.group.as_str())
+        .collect();
+    assert_eq!(groups, ["T", "O", "B", "E"]);
+    // 8, 8, 8 and 7 cells; one and a half between, and a space of four besides.
+    let (_, width) = mesh
+        .positions()
+        .iter()
+        .fold((0, 0.0f32), |most, at| (0, most.1.max(at[0])));
+    assert!(
+        (2.0 * width - (31.0 + 4.5 + 4.0) / 10.0).abs() < 1e-5,
+        "{width}"
+    );
+}
+
+#[test]
+fn letters_that_are_not_there_are_refused() {
+    for (text, wanted) in [
+        ("", "there are no letters"),
+        ("  ", "there are no letters"),
+        ("a\u{e9}", "no solid letter \"\u{e9}\""),
+        ("a#", "no solid letter \"#\""),
+    ] {
+        let error = mesh::letters(text).expect_err("it is wrong");
+        assert!(error.what.contains(wanted), "{}", error.what);
+        assert!(!error.help.is_empty());
+    }
+    let error = mesh::letters(&"A".repeat(65)).expect_err("there are too many");
+    assert!(
+        error.what.contains("there are 65 letters"),
+        "{}",
+        error.what
+    );
+    assert!(mesh::builtin("letters:A").is_some_and(|made| made.is_ok()));
+}

@@ -82,6 +82,7 @@ rotation_degrees = [15, -25]
 scale = 2.5
 color = [0.4, 0.6, 0.2]
 crease_degrees = 75
+grain = { pattern = "stripes", scale = 3 }
 [[lamp]]
 position = [4, 5, 6]
 color = [3, 2, 1]
@@ -340,6 +341,8 @@ ignition_heat = 0.75
 drop_distance = 0.3
 separation = 0.15
 curvature_distance = 0.05
+catch_points = 12
+law = "stain"
 curvature = "literal"
 heading = "normal"
 insertion = "midpoint"
@@ -363,6 +366,21 @@ opacity = 0.625
 position = [0, 0, 2]
 first_frame = 4
 points = 24
+[fire.spread.smoke]
+speed = 0.03
+frames = 30
+size = 0.2
+growth = 2
+color = [0.25, 0.5, 0.75]
+opacity = 0.375
+max_puffs = 600
+[fire.spread.grain]
+pattern = "stripes"
+direction = [1, 0, 0]
+scale = 4
+strength = 0.25
+shift = 0.5
+noise_scale = 2
 [fire.spread.formula]
 flame_temperature = 1200
 fuel_temperature = 350
@@ -371,6 +389,8 @@ emissivity = 0.3
 flame_length = 0.2
 flame_angle_degrees = 40
 thickness = 0.01
+density = 450
+enthalpy = 250_000
 [[wind]]
 kind = "uniform"
 velocity = [0.01, 0.02, 0.03]
@@ -535,6 +555,8 @@ pub(crate) fn fields_of(section: &str) -> &'static [Field] {
                 "spread" => schema::SPREAD,
                 "ignition" => schema::IGNITION,
                 "formula" => schema::FORMULA,
+                "grain" => schema::GRAIN,
+                "smoke" => schema::SMOKE,
                 "char" => schema::CHAR,
                 "line" => schema::LINE,
                 "burst" => schema::BURST,

@@ -6,10 +6,12 @@ mod common;
 
 mod areas;
 mod burnt;
+mod catch;
 mod edges;
 mod flames;
 mod front;
 mod keys;
+mod laws;
 mod marks;
 mod shipped;
 mod speed;

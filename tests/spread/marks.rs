@@ -225,3 +225,74 @@ fn p69_what_rests_on_both_sides_is_no_front() {
     assert!(points.iter().all(|point| point.inert == 1));
     assert_eq!(lit(&pixels), 0);
 }
+
+/// Where puffs are in the picture, and how large and opaque, by the centre of what they hide.
+fn hidden(before: &[[f64; 3]], after: &[[f64; 3]]) -> ([f64; 2], f64) {
+    let scale = HEIGHT as f64 / VIEW;
+    let (mut sum, mut x, mut y) = (0.0, 0.0, 0.0);
+    for (at, (clear, dim)) in before.iter().zip(after).enumerate() {
+        let lost = clear[0] - dim[0];
+        sum += lost;
+        x += lost * (((at % WIDTH) as f64 + 0.5 - WIDTH as f64 / 2.0) / scale);
+        y -= lost * (((at / WIDTH) as f64 + 0.5 - HEIGHT as f64 / 2.0) / scale);
+    }
+    ([x / sum, y / sum], sum)
+}
+
+#[test]
+fn p87_smoke_rises_with_the_mean_wind_where_flames_have_gone_out() {
+    // Four flames are out in frame 23, 1 from the middle on four rays: the mean of them is the middle.
+    // Upward 0.02 x 1.5 a frame, and 0.02 x 3 x 0.2 with the wind.
+    let flames = "drop_distance = 0.99\nmax_flames = 4\n[fire.spread.smoke]\nsize = 0.5\ngrowth = 1\n\
+                  frames = 32\nopacity = 0.8\ncolor = [0, 0, 0]\nmax_puffs = 4\n\
+                  [[fire.spread.ignition]]\nposition = [0, 0, 0]\npoints = 4\n\
+                  [[wind]]\nkind = \"uniform\"\nvelocity = [0.2, 0, 0]";
+    let fire = "lifetime = 3\nnoisiness = 0\nbuoyancy = 1.5\nwind_factor = 3";
+    let mut run = run(&seen([0.0, 0.0, 5.0], [1.0; 3], fire, flames));
+    let clear = picture(&mut run, 22);
+    let mut whole = None;
+    for age in [4u32, 10, 20] {
+        let ([x, y], sum) = hidden(&clear, &picture(&mut run, 23 + age));
+        assert_close(x, 0.6 * 0.02 * f64::from(age), 0.01);
+        assert_close(y, 1.5 * 0.02 * f64::from(age), 0.01);
+        // As opaque as is left of it: it is all there from an eighth of its time on.
+        let all = sum / (1.0 - f64::from(age) / 32.0);
+        assert_close(all / *whole.get_or_insert(all), 1.0, 0.03);
+    }
+}
+
+#[test]
+fn p87_smoke_widens_and_flames_that_burn_have_none() {
+    let flames = |growth: f64| {
+        format!(
+            "drop_distance = 0.99\nmax_flames = 4\n[fire.spread.smoke]\nsize = 0.4\ngrowth = {growth}\n\
+             frames = 40\nspeed = 0\nopacity = 0.5\ncolor = [0, 0, 0]\n{IGNITION}"
+        )
+    };
+    let lost = |growth: f64| {
+        let mut run = run(&seen(
+            [0.0, 0.0, 5.0],
+            [1.0; 3],
+            "lifetime = 3",
+            &flames(growth),
+        ));
+        let clear = picture(&mut run, 22);
+        assert!(clear.iter().all(|pixel| *pixel == [255.0; 3]));
+        hidden(&clear, &picture(&mut run, 43)).1
+    };
+    // Half way: twice as wide as 1, four times the area.
+    assert_close(lost(3.0) / lost(1.0), 4.0, 0.5);
+    // In the end nothing is left.
+    let short = flames(3.0).replace("frames = 40", "frames = 12");
+    let mut run = run(&seen([0.0, 0.0, 5.0], [1.0; 3], "lifetime = 3", &short));
+    assert!(
+        picture(&mut run, 34)
+            .iter()
+            .any(|pixel| *pixel != [255.0; 3])
+    );
+    assert!(
+        picture(&mut run, 35)
+            .iter()
+            .all(|pixel| *pixel == [255.0; 3])
+    );
+}

@@ -187,3 +187,40 @@ fn p52_p54_fluxes_by_the_formulas_go_with_what_they_should() {
     ));
     assert_close(hotter[1] / concurrent, 16.0, 1e-4);
 }
+
+#[test]
+fn p52_p54_by_the_formulas_paper_burns_as_fast_as_paper_does() {
+    let fastest = |fire: &str, formula: &str| {
+        let spread =
+            format!("mesh = \"plane\"\nformula = {{ {formula} }}\ntime_scale = 1\nseparation = 1");
+        let scene = scene(fire, &spread, &["position = [0, 0, 0]"], "");
+        let speeds = speeds(&scene);
+        speeds
+            .iter()
+            .fold(0.0, |most: f64, (_, speed)| most.max(*speed))
+    };
+    // lambda (T_f - T_i)/L = 0.05 x 1200/0.0002 = 300 kW/m^2, through 600 x 500,000 J/m^3: 1 mm/s, which
+    // is what a sheet of 0.2 mm burns downward.
+    let still = |formula: &str| fastest("buoyancy = 0", formula);
+    assert_close(still("thickness = 0.0002"), 0.001, 1e-8);
+    // 0.1 x 5.670374e-8 x 1500^4 x 0.05 x sin 30 degrees/0.0002 W/m^2 besides.
+    let upward = 0.1 * 5.670_374e-8 * 1500f64.powi(4) * 0.05 * 0.5 / 0.0002;
+    assert_close(
+        fastest("", "thickness = 0.0002"),
+        0.001 + upward / 3e8,
+        1e-6,
+    );
+    // Twice as thick, or as heavy, or as wet: half as fast.
+    for formula in [
+        "thickness = 0.0004",
+        "thickness = 0.0002, density = 1200",
+        "thickness = 0.0002, enthalpy = 1_000_000",
+    ] {
+        assert_close(still(formula), 0.0005, 1e-8);
+    }
+    // The scene's own heat has no part in it.
+    let own =
+        "mesh = \"plane\"\nignition_heat = 0.001\nformula = { thickness = 0.0002 }\ntime_scale = 1";
+    let own = scene("buoyancy = 0", own, &["position = [0, 0, 0]"], "");
+    assert_close(speeds(&own)[0].1, 0.001, 1e-8);
+}

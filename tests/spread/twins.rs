@@ -86,6 +86,89 @@ fn p78_everything_is_the_same_stage_by_stage() {
     }
 }
 
+/// Spills, stains and grain, on letters that flames light one after the other while they move and turn.
+fn further_kinds(max_points: u32) -> Scene {
+    scene_of(&format!(
+        "image = {{ width = 32, height = 24 }}
+         camera = {{ position = [0, 0.6, 3], target = [0, 0.4, 0] }}
+         [[surface]]
+         mesh = \"letters:ion\"
+         grain = {{ pattern = \"rings\", direction = [0.2, 1, 0.1], scale = 7, shift = 0.4 }}
+         [[fire]]
+         name = \"letters\"
+         height = 0.5
+         width = 0.1
+         lifetime = 9
+         wind_factor = 4
+         position = {{ keys = [[0, [0, 0.2, 0]], [30, [0.3, 0.3, 0.1]]] }}
+         rotation_degrees = {{ keys = [[0, [0, 0]], [30, [5, 30]]] }}
+         [fire.spread]
+         mesh = \"letters:ion\"
+         catch_points = 7
+         time_scale = 0.2
+         separation = 0.06
+         drop_distance = 0.08
+         max_flames = 70
+         max_points = {max_points}
+         grain = {{ pattern = \"rings\", direction = [0.2, 1, 0.1], scale = 7, shift = 0.4 }}
+         smoke = {{ speed = 0.06, frames = 20, max_puffs = 60 }}
+         line = {{ width = 0.01 }}
+         [[fire.spread.ignition]]
+         position = [-1, 0.1, 0.2]
+         [[fire.spread.ignition]]
+         position = [1, 0, 0.2]
+         first_frame = 25
+         [[fire]]
+         name = \"wine\"
+         lifetime = 1
+         [fire.spread]
+         mesh = \"sphere\"
+         law = \"spill\"
+         time_scale = 0.3
+         max_flames = 50
+         max_points = 300
+         grain = {{ pattern = \"stripes\", direction = [1, 0, 0], scale = 5, strength = 1 }}
+         [[fire.spread.ignition]]
+         position = [0.2, 0.9, 0]
+         [[fire]]
+         name = \"ink\"
+         [fire.spread]
+         mesh = \"plane\"
+         law = \"stain\"
+         heading = \"normal\"
+         time_scale = 0.5
+         max_flames = 50
+         max_points = 300
+         [[fire.spread.ignition]]
+         position = [0.2, 0.3, 0]
+         [[wind]]
+         kind = \"uniform\"
+         velocity = [0.4, 0.1, 0]"
+    ))
+}
+
+#[test]
+fn p86_p92_p94_everything_is_the_same_stage_by_stage() {
+    let scene = further_kinds(700);
+    let plan = Plan::new(&scene, 60).expect("the scene can be planned");
+    let mut cpu = on_cpu(&plan);
+    let frames = frames_of(&plan, 40);
+    for inputs in &frames {
+        motes::backend::Backend::step(&mut cpu, inputs).expect("it runs");
+    }
+    let rings = motes::backend::Backend::read(&mut cpu, "ring_spans").expect("they are read");
+    let begun = rings.chunks(2).filter(|span| span[1] > 0).count();
+    assert!(begun >= 5, "a letter lit by flames, of {begun} rings");
+    assert_twins(&plan, &frames, 64);
+}
+
+#[test]
+fn p86_everything_is_the_same_where_rings_are_dropped() {
+    let scene = further_kinds(36);
+    let plan = Plan::new(&scene, 60).expect("the scene can be planned");
+    assert_twins(&plan, &frames_of(&plan, 40), 256);
+}
+
 #[test]
 fn p78_everything_is_the_same_where_points_are_dropped() {
     let scene = all_kinds(40);

@@ -13,8 +13,8 @@
     at_least_zero, dot3, f32_of_u32, inverse_square_root, less, min_exact, normalize_exact, reciprocal, to_i32,
 }
 #import motes::layout::{
-    COVERS_OF_BOIDS, COVERS_OF_FRONTS, COVERS_OF_MARKS, COVERS_OF_PARTICLES, COVERS_OF_STROKES, COVERS_SEEN,
-    COVER_NONE, Counts, Cover, FRAME_ORTHOGRAPHIC, Frame, Lamp, PARTICLE_STROKE, Particle, STROKE_PIECES_MASK,
+    COVERS_OF_BOIDS, COVERS_OF_FRONTS, COVERS_OF_MARKS, COVERS_OF_PARTICLES, COVERS_OF_SMOKE, COVERS_OF_STROKES,
+    COVERS_SEEN, COVER_NONE, Counts, Cover, FRAME_ORTHOGRAPHIC, Frame, Lamp, PARTICLE_STROKE, Particle, STROKE_PIECES_MASK,
     STROKE_SHADOW_SHIFT, STROKE_SHARE_MASK, STROKE_TAPER_SHIFT, STROKE_UNCUT, StrokeLight, SystemFrame,
     SystemRow,
 }
@@ -187,7 +187,7 @@ fn strokes(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let who = Identity(system.key, birth_frame, particle.position_and_index.w);
     let first = atomicLoad(&cover_counts[COVERS_OF_PARTICLES]) + atomicLoad(&cover_counts[COVERS_OF_BOIDS])
         + atomicLoad(&cover_counts[COVERS_OF_MARKS]) + atomicLoad(&cover_counts[COVERS_OF_FRONTS])
-        + (page_start + at) * work.records;
+        + atomicLoad(&cover_counts[COVERS_OF_SMOKE]) + (page_start + at) * work.records;
     if row.kinds.y != PARTICLE_STROKE {
         for (var nth = 0u; nth < work.records; nth += 1u) {
             covers[first + nth] = nothing_of();

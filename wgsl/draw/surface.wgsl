@@ -14,6 +14,7 @@
     at_least_zero, bits_of, clamp_unit, cross3, dot3, f32_of_u32, inverse_square_root, less,
     normalize_exact, reciprocal, square_root,
 }
+#import motes::grain::grain_at
 #import motes::layout::{FlameLight, Frame, Lamp, Pillar, SurfaceFrame, SurfaceLight}
 #import motes::pillar::{meeting, passed}
 #import motes::raster::{normal_of, rows_times, samples_down, samples_right}
@@ -22,6 +23,8 @@ const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 // Whether there is a planet, a ground or a pillar.
 const PLANET: bool = #{PLANET};
 const GROUND: bool = #{GROUND};
+// Whether a surface has grain.
+const GRAINS: bool = #{GRAINS};
 // A ground or a pillar that covers more of its pixel hides.
 const HIDES: f32 = 0.5f;
 
@@ -143,7 +146,15 @@ fn shaded(light: SurfaceLight, face: u32, way: vec3<f32>, depth: f32) -> vec3<f3
     let own = normal_of(a_words.w) * of_a + normal_of(b_words.w) * of_b + normal_of(c_words.w) * of_c;
     let front = normalize_exact(turned(surface, own));
     let normal = select(front, -front, less(0.0f, dot3(across, way)));
-    return surface.color.xyz * light_on(light, place, normal);
+    var shade = 1.0f;
+    if GRAINS {
+        let b = bitcast<vec3<f32>>(b_words.xyz);
+        let c = bitcast<vec3<f32>>(c_words.xyz);
+        let at = a * of_a + b * of_b + c * of_c;
+        let kind = surface.grain_kind;
+        shade -= grain_at(kind.x, kind.y, surface.grain, surface.grain_shape, at) * surface.grain_shape.x;
+    }
+    return surface.color.xyz * shade * light_on(light, place, normal);
 }
 
 @compute @workgroup_size(WORKGROUP_SIZE)

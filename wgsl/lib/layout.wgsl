@@ -145,7 +145,8 @@ const COVERS_OF_PARTICLES: u32 = 1u;
 const COVERS_OF_BOIDS: u32 = 2u;
 const COVERS_OF_MARKS: u32 = 3u;
 const COVERS_OF_FRONTS: u32 = 4u;
-const COVERS_OF_STROKES: u32 = 5u;
+const COVERS_OF_SMOKE: u32 = 5u;
+const COVERS_OF_STROKES: u32 = 6u;
 // Cover.shape.z: nothing, a disc, a disc with a smooth edge of its own width, a square along the
 // axes, a segment with round ends, a triangle, a cone with a round base, a disc seen at a slant, a
 // piece of a stroke.
@@ -557,6 +558,10 @@ struct SurfaceFrame {
     color: vec4<f32>,
     // First triangle among those stored, how many, the first's number among those of all surfaces.
     faces: vec4<u32>,
+    // As those of SpreadFrame, in the mesh's space; GRAIN_... and the key of its noise.
+    grain: vec4<f32>,
+    grain_shape: vec4<f32>,
+    grain_kind: vec4<u32>,
 }
 
 // What falls on surfaces, and what hides them.
@@ -673,6 +678,10 @@ struct FireFrame {
     // How wide it is, world units; how soft; the inverse of the frames that it glows, of those in which
     // it appears.
     char_shape: vec4<f32>,
+    // Colour of smoke; how much it hides, 0 if there is none.
+    smoke_look: vec4<f32>,
+    // Its width at first; how many times as wide in the end, less 1; the inverse of its frames; its speed.
+    smoke_shape: vec4<f32>,
     // What a weight of 1 throws on white a unit away; the square of a light's extent.
     light: vec4<f32>,
     // The inverse of the greatest weight; the reach of lights from their roots, half its inverse; the
@@ -756,6 +765,11 @@ const SPREAD_LITERAL: u32 = 4u;
 const SPREAD_FLAT: u32 = 8u;
 const SPREAD_BLOCKS: u32 = 16u;
 const SPREAD_CARRIES: u32 = 32u;
+const SPREAD_SPILL: u32 = 64u;
+const SPREAD_STAIN: u32 = 128u;
+const GRAIN_NONE: u32 = 0u;
+const GRAIN_STRIPES: u32 = 1u;
+const GRAIN_RINGS: u32 = 2u;
 // Bits of gap_flags.
 const GAP_INSERTS: u32 = 1u;
 const GAP_MOVES: u32 = 2u;
@@ -822,12 +836,16 @@ struct SpreadFrame {
     rates: vec4<f32>,
     // d_s and d_d; the inverse of a cell's size; how far apart points are looked at for meetings.
     distances: vec4<f32>,
-    // Slot of its fire; SPREAD_....
+    // Slot of its fire; SPREAD_...; GRAIN_... and the key of its noise.
     kinds: vec4<u32>,
     // Colour and opacity of the front's line.
     line_look: vec4<f32>,
     // How wide it is, world units, 0 if there is none.
     line_shape: vec4<f32>,
+    // Unit direction of the grain; its periods a world unit.
+    grain: vec4<f32>,
+    // What it takes away at most; how far noise shifts it; cells of that noise a world unit.
+    grain_shape: vec4<f32>,
 }
 
 // A ring that is to begin.
@@ -838,6 +856,20 @@ struct Ignition {
     kinds: vec4<u32>,
     // Points of those before it that begin in the same frame; its ring.
     order: vec4<u32>,
+}
+
+// A piece of a surface that flames may light, in one frame.
+struct SpreadPiece {
+    // From its fire's space to world space.
+    world_from_fire_x: vec4<f32>,
+    world_from_fire_y: vec4<f32>,
+    world_from_fire_z: vec4<f32>,
+    // A ball around it, in the fire's space.
+    ball: vec4<f32>,
+    // First face, how many; slot of the spread; its ring.
+    faces: vec4<u32>,
+    // Points of the ring; its key; a share of a turn a point, as bits.
+    ring: vec4<u32>,
 }
 
 // How many points; one record, kept on the device from frame to frame.

@@ -3,11 +3,11 @@
 // Last step of the prefix sums over insertions and flames, by one invocation, for runs are few. What
 // does not fit are the last insertions, whole rings, and the last flames. A flame keeps its place until
 // all that were dropped before it have gone out.
-// Reads: due_ignitions, flame_runs. Writes: gap_runs (w: insertions before the run), drop_runs (y:
+// Reads: due_ignitions, spread_pieces, catches, flame_runs. Writes: gap_runs (w: insertions before the run), drop_runs (y:
 // flames before the run), spread_counts.
 // Invariant: born + dropped = requested; live(f) = live(f-1) + born - died.
 
-#import motes::layout::{Ignition, SpreadCounts}
+#import motes::layout::{Ignition, SpreadCounts, SpreadPiece}
 
 struct Work {
     // Points that there is room for.
@@ -15,6 +15,8 @@ struct Work {
     // Flames that there is room for while they burn, and places for them and for those that are out.
     flame_room: u32,
     places: u32,
+    // Pieces that flames may light.
+    pieces: u32,
 }
 var<immediate> work: Work;
 
@@ -23,6 +25,8 @@ var<immediate> work: Work;
 @group(0) @binding(2) var<storage, read_write> gap_runs: array<vec4<u32>>;
 @group(0) @binding(3) var<storage, read_write> drop_runs: array<vec2<u32>>;
 @group(0) @binding(4) var<storage, read_write> spread_counts: SpreadCounts;
+@group(0) @binding(5) var<storage, read> spread_pieces: array<SpreadPiece>;
+@group(0) @binding(6) var<storage, read> catches: array<vec4<u32>>;
 
 @compute @workgroup_size(1)
 fn book() {
@@ -43,7 +47,10 @@ fn book() {
     }
     let inserted = min(requested, work.room - before);
     // The first of the due ignitions says how many points they have together.
-    let due = due_ignitions[0].order.z;
+    var due = due_ignitions[0].order.z;
+    for (var piece = 0u; piece < work.pieces; piece += 1u) {
+        due += select(0u, spread_pieces[piece].ring.x, catches[piece].x > 0u);
+    }
     let ignites = due <= work.room - before - inserted;
     let ignited = select(0u, due, ignites);
     let flames = spread_counts.flames_total;

@@ -2,7 +2,8 @@
 //
 // Perry 1994, 3.3.1, equation 3.4: v_s = Theta (A_o q_o + A_c q_c) / K, where Theta is the angle of
 // exposed air, pi where it is flat, which edges nearer than d_t open or close; A_o is 1, and A_c the
-// cosine between the heading and the wind along the face, at least 0. One invocation a control point.
+// cosine between the heading and the wind along the face, at least 0. Spills and stains have other laws
+// (3.3.3), and grain makes all of them slower (4.4). One invocation a control point.
 // Reads: frame, fires, winds, spreads, spread_counts, spread_faces, spread_features, ring_spans,
 // control_points. Writes: walkers.
 // Invariant: points look at the boundary of the frame before, so their order does not matter.
@@ -10,8 +11,10 @@
 #import motes::dispatch::linear_index
 #import motes::emission::turned
 #import motes::exact::{at_least_zero, bits_of, clamp_unit, dot3, inverse_square_root, less, max_exact, reciprocal, square_root}
+#import motes::grain::grain_at
 #import motes::layout::{
-    FireFrame, Frame, POINT_MOVES, SPREAD_FLAT, SPREAD_LITERAL, SPREAD_NORMAL, SpreadCounts, SpreadFace,
+    FireFrame, Frame, POINT_MOVES, SPREAD_FLAT, SPREAD_LITERAL, SPREAD_NORMAL, SPREAD_SPILL,
+    SPREAD_STAIN, SpreadCounts, SpreadFace,
     SpreadFeature, SpreadFrame, SpreadPoint, Walker, Wind,
 }
 #import motes::walk::{dot2, flattened, normalized2}
@@ -23,6 +26,7 @@ const FLOWS: bool = #{FLOWS};
 const NOISES: bool = #{NOISES};
 const OCTAVES: bool = #{OCTAVES};
 const CURLS: bool = #{CURLS};
+const GRAINS: bool = #{GRAINS};
 
 // The angle of exposed air on a flat face, and the least there is.
 const FLAT_ANGLE: f32 = 3.1415927f;
@@ -85,6 +89,15 @@ fn wind_at(fire: FireFrame, position: vec3<f32>) -> vec3<f32> {
     return fire.rise.xyz * fire.rise.w + (flow - (place - before)) * fire.motion.y;
 }
 
+// How steeply a heading leads down, as a sine, at least 0.
+fn downhill(fire: FireFrame, face: SpreadFace, heading: vec2<f32>) -> f32 {
+    let rise = fire.rise.xyz;
+    let in_fire = fire.world_from_fire_x.xyz * rise.x
+        + fire.world_from_fire_y.xyz * rise.y
+        + fire.world_from_fire_z.xyz * rise.z;
+    return at_least_zero(-dot2(heading, flattened(face, in_fire)));
+}
+
 // The front's normal, to the right of the mean way to the point from the one before and to the one after;
 // 0 where these are in one place.
 fn normal_at(at: u32, point: SpreadPoint, face: SpreadFace) -> vec2<f32> {
@@ -131,8 +144,11 @@ fn front(@builtin(global_invocation_id) global_id: vec3<u32>) {
         }
         let concurrent = at_least_zero(dot2(heading, downwind));
         var flux = spread.rates.x + spread.rates.y * concurrent;
+        if (spread.kinds.y & SPREAD_SPILL) != 0u {
+            flux = spread.rates.y * downhill(fire, face, heading);
+        }
         way = heading;
-        if is_normal {
+        if is_normal && (spread.kinds.y & (SPREAD_SPILL | SPREAD_STAIN)) == 0u {
             // The same front, by points that keep their normals where nothing changes: each drifts along
             // its front, too.
             let drift = select(0.0f, spread.rates.y, less(LEAST_DRIFT, concurrent));
@@ -140,7 +156,22 @@ fn front(@builtin(global_invocation_id) global_id: vec3<u32>) {
             flux = square_root(dot2(velocity, velocity));
             way = normalized2(velocity);
         }
-        step = exposed(spread, face, place) * flux * spread.rates.z;
+        let position = bitcast<vec3<f32>>(point.position.xyz);
+        var share = spread.rates.z;
+        if GRAINS {
+            let kind = spread.kinds;
+            let dense = grain_at(kind.z, kind.w, spread.grain, spread.grain_shape, position);
+            share *= 1.0f - dense * spread.grain_shape.x;
+        }
+        if (spread.kinds.y & SPREAD_STAIN) != 0u {
+            flux = spread.rates.x;
+        }
+        step = exposed(spread, face, place) * flux * share;
+        if (spread.kinds.y & SPREAD_STAIN) != 0u {
+            // What is soaked up has come as far as the root of the time (Washburn 1921).
+            let far = bitcast<f32>(point.path.y);
+            step = square_root(far * far + step * step) - far;
+        }
     }
     let x = bits_of(way.x);
     let y = bits_of(way.y);

@@ -12,6 +12,7 @@ pub mod planet;
 pub mod resolve;
 pub mod shade;
 pub mod shapes;
+pub mod smoke;
 pub mod splat;
 pub mod strip_joints;
 pub mod strips;

@@ -3,6 +3,7 @@
 
 use glam::{Vec3, Vec4};
 
+use crate::cpu::grain::grain_at;
 use crate::cpu::pillar::{meeting, passed};
 use crate::cpu::raster::{SAMPLES_DOWN, SAMPLES_RIGHT, normal_of, world_of};
 use crate::exact::{
@@ -131,7 +132,11 @@ fn shaded(lit: Lit<'_>, light: &SurfaceLight, face: u32, way: Vec3, depth: f32) 
     } else {
         front
     };
-    three(&surface.color) * light_on(lit, light, place, normal)
+    let at = a * of_a + b * of_b + c * of_c;
+    let [kind, key, ..] = surface.grain_kind;
+    let dense = grain_at([kind, key], &surface.grain, &surface.grain_shape, at);
+    let shade = 1.0 - dense * surface.grain_shape[0];
+    three(&surface.color) * shade * light_on(lit, light, place, normal)
 }
 
 /// One pixel, of which `nearness` and `faces` tell the samples: red, green and blue as bits, and what

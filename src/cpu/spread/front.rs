@@ -5,6 +5,7 @@ use glam::{Vec2, Vec3};
 
 use super::walk::vec2;
 use crate::cpu::emission::turned;
+use crate::cpu::grain::grain_at;
 use crate::cpu::walk::{dot2, flattened, normalized2};
 use crate::cpu::wind;
 use crate::exact::{
@@ -12,8 +13,8 @@ use crate::exact::{
     shared_constants, square_root,
 };
 use crate::layout::{
-    FireFrame, POINT_MOVES, SPREAD_FLAT, SPREAD_LITERAL, SPREAD_NORMAL, SpreadFace, SpreadFeature,
-    SpreadFrame, SpreadPoint, Walker,
+    FireFrame, POINT_MOVES, SPREAD_FLAT, SPREAD_LITERAL, SPREAD_NORMAL, SPREAD_SPILL, SPREAD_STAIN,
+    SpreadFace, SpreadFeature, SpreadFrame, SpreadPoint, Walker,
 };
 use crate::plan::{FrameInputs, SpreadTables};
 
@@ -71,6 +72,14 @@ fn wind_at(inputs: &FrameInputs, fire: &FireFrame, position: Vec3) -> Vec3 {
     Vec3::from_slice(&fire.rise) * fire.rise[3] + flow * fire.motion[1]
 }
 
+fn downhill(fire: &FireFrame, face: &SpreadFace, heading: Vec2) -> f32 {
+    let [x, y, z, _] = fire.rise;
+    let in_fire = Vec3::from_slice(&fire.world_from_fire_x) * x
+        + Vec3::from_slice(&fire.world_from_fire_y) * y
+        + Vec3::from_slice(&fire.world_from_fire_z) * z;
+    at_least_zero(-dot2(heading, flattened(face, in_fire)))
+}
+
 fn normal_at(at: u32, points: &[SpreadPoint], [first, last]: [u32; 2], face: &SpreadFace) -> Vec2 {
     let before = if at == first { last } else { at - 1 };
     let after = if at == last { first } else { at + 1 };
@@ -121,8 +130,13 @@ pub fn front(
         let concurrent = at_least_zero(dot2(heading, downwind));
         let [opposed_flux, concurrent_flux, factor, _] = spread.rates;
         let mut flux = opposed_flux + concurrent_flux * concurrent;
+        let is_spill = spread.kinds[1] & SPREAD_SPILL != 0;
+        let is_stain = spread.kinds[1] & SPREAD_STAIN != 0;
+        if is_spill {
+            flux = concurrent_flux * downhill(fire, face, heading);
+        }
         way = heading;
-        if is_normal {
+        if is_normal && !is_spill && !is_stain {
             let drift = if less(LEAST_DRIFT, concurrent) {
                 concurrent_flux
             } else {
@@ -132,7 +146,18 @@ pub fn front(
             flux = square_root(dot2(velocity, velocity));
             way = normalized2(velocity);
         }
-        step = exposed(spread, face, &tables.features, vec2(x, y)) * flux * factor;
+        let [_, _, kind, key] = spread.kinds;
+        let position = Vec3::from(point.position());
+        let dense = grain_at([kind, key], &spread.grain, &spread.grain_shape, position);
+        let share = factor * (1.0 - dense * spread.grain_shape[0]);
+        if is_stain {
+            flux = opposed_flux;
+        }
+        step = exposed(spread, face, &tables.features, vec2(x, y)) * flux * share;
+        if is_stain {
+            let far = f32::from_bits(point.path[1]);
+            step = square_root(far * far + step * step) - far;
+        }
     }
     let [heading_x, heading_y] = [heading.x, heading.y].map(bits_of);
     let [way_x, way_y] = [way.x, way.y].map(bits_of);

@@ -2,6 +2,7 @@
 
 pub mod arrive;
 pub mod block;
+pub mod catch;
 pub mod drop;
 pub mod front;
 pub mod gaps;
@@ -13,12 +14,12 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use crate::cpu::draw::{front_lines, marks};
+use crate::cpu::draw::{front_lines, marks, smoke};
 use crate::cpu::drops::rest_of;
 use crate::exact::bits_of;
 use crate::layout::{
-    Cover, DroppedFlame, GAP_CAME_TO_REST, GAP_DROPS_SHIFT, GAP_INSERTS, GAP_MOVES, POINT_MOVES,
-    SpreadCounts, SpreadPoint, Walker,
+    Cover, DroppedFlame, FLAME_STEPS, GAP_CAME_TO_REST, GAP_DROPS_SHIFT, GAP_INSERTS, GAP_MOVES,
+    Ignition, POINT_MOVES, SpreadCounts, SpreadPiece, SpreadPoint, Walker,
 };
 use crate::plan::{FrameInputs, Plan, SpreadTables};
 
@@ -38,12 +39,15 @@ pub(super) struct Spreads {
     /// First and last point of each ring.
     pub(super) ring_spans: Vec<[u32; 2]>,
     pub(super) counts: SpreadCounts,
+    /// Of each piece, whether a flame has met it in this frame, and where.
+    pub(super) catches: Vec<[u32; 4]>,
     /// Flame k in place k modulo their number.
     pub(super) dropped: Vec<DroppedFlame>,
     capacity: u32,
     flame_room: u32,
     has_marks: bool,
     has_lines: bool,
+    has_smoke: bool,
 }
 
 impl Spreads {
@@ -55,10 +59,12 @@ impl Spreads {
             walkers: Vec::new(),
             ring_spans: vec![[0; 2]; plan.ring_count as usize],
             counts: SpreadCounts::default(),
+            catches: vec![[0; 4]; plan.spreads.piece_count() as usize],
             dropped: vec![DroppedFlame::default(); plan.dropped_places as usize],
             flame_room: plan.dropped_capacity,
             has_marks: plan.uses.marks,
             has_lines: plan.uses.front_lines,
+            has_smoke: plan.uses.smokes,
             capacity: plan.point_capacity,
         }
     }
@@ -71,7 +77,9 @@ impl Spreads {
         let (counts, rest) = front.split_at(size_of::<SpreadCounts>() / 4);
         let (spans, rest) = rest.split_at(2 * self.ring_spans.len());
         let flames = self.dropped.len() * (size_of::<DroppedFlame>() / 4);
-        let (flames, points) = rest.split_at(flames);
+        let (flames, rest) = rest.split_at(flames);
+        let (catches, points) = rest.split_at(4 * self.catches.len());
+        bytemuck::cast_slice_mut(&mut self.catches).copy_from_slice(catches);
         bytemuck::cast_slice_mut(&mut self.dropped).copy_from_slice(flames);
         bytemuck::cast_slice_mut(std::slice::from_mut(&mut self.counts)).copy_from_slice(counts);
         bytemuck::cast_slice_mut(&mut self.ring_spans).copy_from_slice(spans);
@@ -125,8 +133,8 @@ impl Spreads {
         (number < self.counts.flames_total).then(|| self.flame(number))
     }
 
-    /// What covers: the places of dropped flames, and the fronts.
-    pub(super) fn shapes(&self, inputs: &FrameInputs, covers: &mut Vec<Cover>) -> [usize; 2] {
+    /// What covers: the places of dropped flames, the fronts, and smoke.
+    pub(super) fn shapes(&self, inputs: &FrameInputs, covers: &mut Vec<Cover>) -> [usize; 3] {
         let before = covers.len();
         if self.has_marks {
             let numbers = self.counts.marks_first..self.counts.flames_total;
@@ -142,7 +150,13 @@ impl Spreads {
                 front_lines::front_lines(inputs, &self.tables, point, next)
             }));
         }
-        [marks, covers.len() - before - marks]
+        let lines = covers.len() - before - marks;
+        if self.has_smoke {
+            let numbers = self.counts.marks_first..self.counts.flames_total;
+            let puffs = numbers.into_par_iter().with_min_len(GRAIN);
+            covers.par_extend(puffs.map(|number| smoke::smoke(inputs, self.flame(number))));
+        }
+        [marks, lines, covers.len() - before - marks - lines]
     }
 
     fn flame(&self, number: u32) -> &DroppedFlame {
@@ -191,6 +205,48 @@ impl Spreads {
         }
     }
 
+    /// Where flames meet pieces that do not burn; `burns` says which flames do.
+    pub(super) fn catch(
+        &mut self,
+        inputs: &FrameInputs,
+        steps: &[[u32; 4]],
+        burns: impl Fn(u32) -> bool + Sync,
+    ) {
+        const STEPS: u32 = FLAME_STEPS - 1;
+        let (tables, spans) = (&self.tables, &self.ring_spans);
+        let flames = steps.len() as u32 / FLAME_STEPS;
+        let of = |piece: &SpreadPiece| {
+            if piece.faces[1] == 0 || spans[piece.faces[3] as usize][1] > 0 {
+                return [0; 4];
+            }
+            let first = (0..flames * STEPS)
+                .into_par_iter()
+                .with_min_len(GRAIN)
+                .find_first(|at| burns(at / STEPS) && catch::meets(tables, piece, steps, *at));
+            first.map_or([0; 4], |at| catch::caught(tables, piece, steps, at))
+        };
+        self.catches = inputs.spread_pieces.iter().map(of).collect();
+    }
+
+    /// The rings that begin: those that are due, then those of pieces that flames have met.
+    fn beginning(&self, inputs: &FrameInputs) -> Vec<Ignition> {
+        let of = |(piece, caught): (&SpreadPiece, &[u32; 4])| {
+            let [met, face, x, y] = *caught;
+            let [points, key, share, _] = piece.ring;
+            (met > 0).then(|| Ignition {
+                place: [x, y, share, 0].map(f32::from_bits),
+                kinds: [face, points, piece.faces[2], key],
+                order: [0, piece.faces[3], 0, 0],
+            })
+        };
+        let caught = inputs
+            .spread_pieces
+            .iter()
+            .zip(&self.catches)
+            .filter_map(of);
+        inputs.due_ignitions.iter().copied().chain(caught).collect()
+    }
+
     /// Points come between neighbours that are too far apart, and rings begin.
     pub(super) fn insert(&mut self, inputs: &FrameInputs) {
         let frame = inputs.frame.frame;
@@ -231,9 +287,10 @@ impl Spreads {
             }
         }
         let ignited_from = self.points.len() as u32;
-        let due: u32 = inputs.due_ignitions.iter().map(|one| one.kinds[1]).sum();
+        let beginning = self.beginning(inputs);
+        let due: u32 = beginning.iter().map(|one| one.kinds[1]).sum();
         let ignited = if due <= self.capacity - ignited_from {
-            for ignition in &inputs.due_ignitions {
+            for ignition in &beginning {
                 let ring = (0..ignition.kinds[1])
                     .map(|nth| insert::ignite(frame, ignition, nth, &tables.faces));
                 self.points.extend(ring);

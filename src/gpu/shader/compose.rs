@@ -79,6 +79,8 @@ pub(super) const SWITCHES: &[&str] = &[
     "MARKS",
     "STROKES",
     "SHADES",
+    "SMOKES",
+    "GRAINS",
     "TRAILS",
     "VIEWS",
     "NEAREST",

@@ -67,6 +67,8 @@ pub static LIBRARIES: &[Source] = sources![
     "lib/sort",
     "lib/tile",
     "lib/walk",
+    "lib/meet",
+    "lib/grain",
     "lib/drops",
 ];
 
@@ -110,6 +112,8 @@ pub static KERNELS: &[Source] = sources![
     "flames/kindle",
     "flames/dropped",
     "flames/trace",
+    "spread/catch",
+    "spread/caught",
     "flames/shine",
     "flames/gather",
     "draw/ground",
@@ -123,6 +127,7 @@ pub static KERNELS: &[Source] = sources![
     "draw/boid_trails",
     "draw/marks",
     "draw/front_lines",
+    "draw/smoke",
     "draw/strokes",
     "draw/cover_work",
     "draw/cover_keys",

@@ -14,6 +14,8 @@ pub(super) struct Joined {
     pub(super) sources: Vec<u32>,
     /// Of each half-edge, 3 a triangle, the other one of its edge, or [`NO_EDGE`].
     pub(super) twins: Vec<u32>,
+    /// The first triangle of each piece that hangs together.
+    pub(super) pieces: Vec<u32>,
     pub(super) notes: Vec<String>,
 }
 
@@ -111,13 +113,61 @@ pub(super) fn joined(mesh: &Mesh) -> Result<Joined, MeshError> {
     for (triangle, _) in triangles.iter_mut().zip(&flips).filter(|(_, flip)| **flip) {
         triangle.swap(0, 1);
     }
-    Ok(Joined {
+    let mut joined = Joined {
         positions,
         triangles,
         sources,
         twins,
+        pieces: Vec::new(),
         notes,
-    })
+    };
+    joined.sort_by_piece();
+    Ok(joined)
+}
+
+impl Joined {
+    /// Puts the triangles of each piece together; the rest of their order is as it was.
+    fn sort_by_piece(&mut self) {
+        let count = self.triangles.len();
+        let mut piece_of = vec![NO_EDGE; count];
+        let mut pieces = 0;
+        for first in 0..count {
+            if piece_of[first] != NO_EDGE {
+                continue;
+            }
+            let mut found = vec![first];
+            piece_of[first] = pieces;
+            while let Some(face) = found.pop() {
+                for twin in &self.twins[3 * face..3 * face + 3] {
+                    let other = *twin as usize / 3;
+                    if *twin != NO_EDGE && piece_of[other] == NO_EDGE {
+                        piece_of[other] = pieces;
+                        found.push(other);
+                    }
+                }
+            }
+            pieces += 1;
+        }
+        let mut order: Vec<usize> = (0..count).collect();
+        order.sort_by_key(|face| piece_of[*face]);
+        let mut place_of = vec![0u32; count];
+        for (at, face) in (0..).zip(&order) {
+            place_of[*face] = at;
+        }
+        let moved = |half: u32| match half {
+            NO_EDGE => NO_EDGE,
+            half => 3 * place_of[half as usize / 3] + half % 3,
+        };
+        let halves = order
+            .iter()
+            .flat_map(|face| [0, 1, 2].map(|i| 3 * face + i));
+        self.twins = halves.map(|half| moved(self.twins[half])).collect();
+        self.triangles = order.iter().map(|face| self.triangles[*face]).collect();
+        self.sources = order.iter().map(|face| self.sources[*face]).collect();
+        let starts =
+            (0..count).filter(|at| *at == 0 || piece_of[order[*at]] != piece_of[order[*at - 1]]);
+        self.pieces = starts.map(|at| at as u32).collect();
+    }
 }
 
 fn mesh_place(positions: &[Place], at: u32) -> [f32; 3] {

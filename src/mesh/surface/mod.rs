@@ -19,6 +19,9 @@ use super::{Mesh, MeshError};
 pub use features::{Feature, FeatureNear};
 use vectors::{Place, angle_of, cross, dot, length, less, plus, unit};
 
+/// What a triangle takes in a surface and in the tables that are made of it, on the way too.
+const BYTES_A_TRIANGLE: usize = 1300;
+
 /// No half-edge: beyond a border.
 pub const NO_EDGE: u32 = u32::MAX;
 
@@ -70,6 +73,7 @@ pub struct Surface {
     features: Vec<Feature>,
     feature_of: Vec<u32>,
     mean_edge_length: f64,
+    pieces: Vec<u32>,
     notes: Vec<String>,
     digest: u64,
 }
@@ -81,6 +85,11 @@ impl Surface {
     /// An edge of more than two faces, or a surface with one side: names where, in the mesh's own
     /// coordinates.
     pub fn new(mesh: &Mesh, scale: f32) -> Result<Self, MeshError> {
+        MeshError::room_for(
+            mesh.triangles().len(),
+            BYTES_A_TRIANGLE,
+            "triangles to walk on",
+        )?;
         let joined = joined::joined(mesh)?;
         let scaled = |at: u32| joined.positions[at as usize].map(|x| x * f64::from(scale));
         let framed = |(corners, source): (&[u32; 3], &u32)| framed(corners.map(scaled), *source);
@@ -99,6 +108,7 @@ impl Surface {
             features: Vec::new(),
             feature_of: Vec::new(),
             mean_edge_length: 0.0,
+            pieces: joined.pieces,
             notes: joined.notes,
             digest: mesh.digest() ^ u64::from(scale.to_bits()).wrapping_mul(0x9e37_79b9_7f4a_7c15),
         };
@@ -126,6 +136,17 @@ impl Surface {
     /// into triangles.
     pub fn mean_edge_length(&self) -> f64 {
         self.mean_edge_length
+    }
+
+    /// The faces of each piece that hangs together, one piece after the other.
+    pub fn pieces(&self) -> impl Iterator<Item = std::ops::Range<u32>> + '_ {
+        let count = self.faces.len() as u32;
+        let ends = self.pieces.iter().skip(1).copied().chain([count]);
+        self.pieces
+            .iter()
+            .copied()
+            .zip(ends)
+            .map(|(first, end)| first..end)
     }
 
     /// What was mended, a line each.

@@ -7,6 +7,32 @@ use super::vectors::{Place, length, less, plus};
 const MOST_FACES: usize = 4096;
 
 impl Surface {
+    /// Centre and radius of a ball around these faces: that of the box around them.
+    pub fn ball_around(&self, faces: std::ops::Range<u32>) -> [f64; 4] {
+        let faces = &self.faces[faces.start as usize..faces.end as usize];
+        let corners = faces.iter().flat_map(|face| {
+            let of_face = |at: [f64; 2]| plus(plus(face.origin, face.x, at[0]), face.y, at[1]);
+            face.corners.map(of_face)
+        });
+        let corners: Vec<Place> = corners.collect();
+        let end = |of: fn(f64, f64) -> f64, from: f64| {
+            [0, 1, 2].map(|axis| corners.iter().map(|at| at[axis]).fold(from, of))
+        };
+        let (low, high) = (end(f64::min, f64::MAX), end(f64::max, f64::MIN));
+        let middle = [0, 1, 2].map(|axis| 0.5 * (low[axis] + high[axis]));
+        let away = corners.iter().map(|corner| length(less(*corner, middle)));
+        let [x, y, z] = middle;
+        [x, y, z, away.fold(0.0, f64::max)]
+    }
+
+    /// The area of all faces.
+    pub fn area(&self) -> f64 {
+        let of_face = |[a, b, c]: [[f64; 2]; 3]| {
+            0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
+        };
+        self.faces.iter().map(|face| of_face(face.corners)).sum()
+    }
+
     /// How far its farthest corner is from the origin.
     pub fn extent(&self) -> f64 {
         let corners = self.faces.iter().flat_map(|face| {

@@ -67,6 +67,12 @@ impl Draft {
         self.files.opened()
     }
 
+    /// An error about the key of that path, or what is around it where it is not written; `None` if
+    /// nothing of the path is there.
+    pub(crate) fn error_at(&self, path: &str, what: &str, help: &str) -> Option<SceneError> {
+        set::place_of(&self.root, path).map(|at| at.error(what, help))
+    }
+
     /// The scene that it is now, checked.
     pub(crate) fn scene(&self) -> Result<Scene, SceneError> {
         scene(&self.root, &self.name, &self.files)
@@ -205,6 +211,7 @@ fn surface(spot: &Spot<'_>, files: &Files) -> Result<LitSurface, SceneError> {
         rotation_degrees: table.must("rotation_degrees", Quantity::read)?,
         scale: table.must("scale", Quantity::read)?,
         color: table.must("color", Quantity::read)?,
+        grain: table.may("grain", spread::grain)?,
         crease_degrees: table.must("crease_degrees", Quantity::read)?,
     })
 }

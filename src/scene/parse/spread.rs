@@ -3,11 +3,11 @@
 use crate::scene::check;
 use crate::scene::files::Files;
 use crate::scene::read::{Reader, Spot};
-use crate::scene::schema::{CHAR, FORMULA, IGNITION, LINE, SPREAD};
+use crate::scene::schema::{CHAR, FORMULA, GRAIN, IGNITION, LINE, SMOKE, SPREAD};
 use crate::scene::values::{Quantity, choice, list, whole32};
 use crate::scene::{
-    Char, Curvature, FireSpread, FluxFormula, FrontHeading, FrontLine, Ignition, Insertion,
-    SceneError,
+    Char, Curvature, FireSpread, FluxFormula, FrontHeading, FrontLine, Grain, GrainPattern,
+    Ignition, Insertion, SceneError, Smoke, SpreadLaw,
 };
 
 pub(super) fn spread(spot: &Spot<'_>, files: &Files) -> Result<FireSpread, SceneError> {
@@ -30,6 +30,7 @@ pub(super) fn spread(spot: &Spot<'_>, files: &Files) -> Result<FireSpread, Scene
     }
     let spread = FireSpread {
         ignitions,
+        catch_points: table.may("catch_points", whole32)?,
         time_scale: table.must("time_scale", Quantity::read)?,
         opposed_flux: table.must("opposed_flux", Quantity::read)?,
         concurrent_flux: table.must("concurrent_flux", Quantity::read)?,
@@ -38,6 +39,8 @@ pub(super) fn spread(spot: &Spot<'_>, files: &Files) -> Result<FireSpread, Scene
         drop_distance: distance("drop_distance", 0.2)?,
         separation: distance("separation", 0.1)?,
         curvature_distance: distance("curvature_distance", 0.1)?,
+        law: [SpreadLaw::Fire, SpreadLaw::Spill, SpreadLaw::Stain][table.must("law", choice)?],
+        grain: table.may("grain", grain)?,
         curvature: [Curvature::Exposed, Curvature::Literal, Curvature::Ignored]
             [table.must("curvature", choice)?],
         heading: [FrontHeading::Ray, FrontHeading::Normal][table.must("heading", choice)?],
@@ -46,6 +49,7 @@ pub(super) fn spread(spot: &Spot<'_>, files: &Files) -> Result<FireSpread, Scene
         carries_rest: table.must("drop_counter", choice)? == 1,
         max_flames: table.must("max_flames", whole32)?,
         char: table.may("char", char_of)?,
+        smoke: table.may("smoke", smoke)?,
         line: table.may("line", line)?,
         max_points: table.must("max_points", whole32)?,
         mesh,
@@ -64,6 +68,18 @@ fn ignition(spot: &Spot<'_>) -> Result<Ignition, SceneError> {
     })
 }
 
+pub(super) fn grain(spot: &Spot<'_>) -> Result<Grain, SceneError> {
+    let table = Reader::new(spot.path.clone(), GRAIN, spot.node)?;
+    Ok(Grain {
+        pattern: [GrainPattern::Stripes, GrainPattern::Rings][table.must("pattern", choice)?],
+        direction: table.must("direction", check::direction)?,
+        scale: table.must("scale", Quantity::read)?,
+        strength: table.must("strength", Quantity::read)?,
+        shift: table.must("shift", Quantity::read)?,
+        noise_scale: table.must("noise_scale", Quantity::read)?,
+    })
+}
+
 fn char_of(spot: &Spot<'_>) -> Result<Char, SceneError> {
     let table = Reader::new(spot.path.clone(), CHAR, spot.node)?;
     Ok(Char {
@@ -74,6 +90,19 @@ fn char_of(spot: &Spot<'_>) -> Result<Char, SceneError> {
         glow_frames: table.must("glow_frames", Quantity::read)?,
         appear_frames: table.must("appear_frames", Quantity::read)?,
         max_marks: table.must("max_marks", whole32)?,
+    })
+}
+
+fn smoke(spot: &Spot<'_>) -> Result<Smoke, SceneError> {
+    let table = Reader::new(spot.path.clone(), SMOKE, spot.node)?;
+    Ok(Smoke {
+        speed: table.must("speed", Quantity::read)?,
+        frames: table.must("frames", Quantity::read)?,
+        size: table.must("size", Quantity::read)?,
+        growth: table.must("growth", Quantity::read)?,
+        color: table.must("color", Quantity::read)?,
+        opacity: table.must("opacity", Quantity::read)?,
+        max_puffs: table.must("max_puffs", whole32)?,
     })
 }
 
@@ -96,6 +125,8 @@ fn formula(spot: &Spot<'_>) -> Result<FluxFormula, SceneError> {
         flame_length: table.must("flame_length", Quantity::read)?,
         flame_angle_degrees: table.must("flame_angle_degrees", Quantity::read)?,
         thickness: table.must("thickness", Quantity::read)?,
+        density: table.must("density", Quantity::read)?,
+        enthalpy: table.must("enthalpy", Quantity::read)?,
     };
     if formula.fuel_temperature > formula.flame_temperature {
         let what = format!(

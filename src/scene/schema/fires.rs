@@ -86,7 +86,7 @@ pub const ROOTS: &[Variant] = &[
         required("count", COUNT, "20", "flames", "how many", ""),
     ] },
     Variant { name: "mesh", about: "flames stand anywhere on the faces of a mesh, along their normals", fields: &[
-        required("mesh", text(1000, false), "\"sphere\"", "", "a file in the scene's folder that ends in .obj, .ply, .gltf or .glb; or cube, cylinder, plane, sphere or torus, which need none", "Perry 3.4"),
+        required("mesh", text(1000, false), "\"sphere\"", "", "a file in the scene's folder that ends in .obj, .ply, .gltf or .glb; or cube, cylinder, plane, sphere, torus or letters:TEXT, which need none", "Perry 3.4"),
         default("scale", EXTENT, "1", "world units", "what a unit of the mesh is", ""),
         required("count", COUNT, "200", "flames", "how many", ""),
     ] },

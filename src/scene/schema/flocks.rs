@@ -80,7 +80,7 @@ pub const OBSTACLES: &[Variant] = &[
         STAY, MARGIN, PUSH,
     ] },
     Variant { name: "mesh", about: "boids of a flock in space stay outside a mesh, or inside it; it has no open edges, and all of a flock have at most 10_000 faces", fields: &[
-        required("mesh", text(1000, false), "\"torus\"", "", "a file in the scene's folder that ends in .obj, .ply, .gltf or .glb; or cube, cylinder, sphere or torus, which need none", ""),
+        required("mesh", text(1000, false), "\"torus\"", "", "a file in the scene's folder that ends in .obj, .ply, .gltf or .glb; or cube, cylinder, sphere, torus or letters:TEXT, which need none", ""),
         default("position", PLACE, "[0, 0, 0]", "world units", "where its origin is", ""),
         default("scale", numbers(1, 1e-6, 1e4), "1", "world units", "what a unit of the mesh is", ""),
         STAY, MARGIN, PUSH,

@@ -7,6 +7,7 @@ use super::kinds::{EXTINCTIONS, GENERATION_SHAPES, WINDS};
 use super::rows::{
     DIRECTION, PLACE, changing, default, keyed, numbers, optional, required, spread, text, whole,
 };
+use super::spread::GRAIN;
 use super::{Field, Kind};
 
 /// Keys at the top of a scene file.
@@ -95,11 +96,12 @@ pub const PILLAR: &[Field] = &[
 /// Keys of each `[[surface]]`.
 #[rustfmt::skip] // one row a line
 pub const SURFACE: &[Field] = &[
-    required("mesh", text(1000, false), "\"torus\"", "", "a file in the scene's folder that ends in .obj, .ply, .gltf or .glb; or cube, cylinder, plane, sphere or torus, which need none", ""),
+    required("mesh", text(1000, false), "\"torus\"", "", "a file in the scene's folder that ends in .obj, .ply, .gltf or .glb; or cube, cylinder, plane, sphere, torus or letters:TEXT, which need none", ""),
     keyed(default("position", PLACE, "[0, 0, 0]", "world units", "where its origin is", "")),
     keyed(default("rotation_degrees", numbers(2, -36_000.0, 36_000.0), "[0, 0]", "degrees", "turns about x, then about y", "")),
     keyed(default("scale", numbers(1, 0.0, 1e3), "1", "world units", "what a unit of the mesh's coordinates becomes", "")),
     keyed(default("color", numbers(3, 0.0, 1.0), "[0.3, 0.3, 0.3]", "red, green, blue", "the part of the light that it reflects", "Reeves 3")),
+    optional("grain", Kind::Table(GRAIN), "{ pattern = \"rings\", scale = 8 }", "", "what makes it darker here and there, as in wood; none if left out", "Perry 4.4"),
     default("crease_degrees", numbers(1, 0.0, 180.0), "40", "degrees", "triangles that meet at less than this angle look as one curved surface", ""),
 ];
 

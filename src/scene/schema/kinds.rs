@@ -116,7 +116,7 @@ pub const GENERATION_SHAPES: &[Variant] = &[
         required("density", numbers(1, 0.0, 1e4), "2", "systems a world unit of circumference", "a ring has as many systems, anywhere around it", "Reeves 3"),
     ] },
     Variant { name: "mesh", about: "the faces of a mesh, as many on each part of their area", fields: &[
-        required("mesh", text(1000, false), "\"torus\"", "", "a file in the scene's folder that ends in .obj, .ply, .gltf or .glb; or cube, cylinder, plane, sphere or torus, which need none", ""),
+        required("mesh", text(1000, false), "\"torus\"", "", "a file in the scene's folder that ends in .obj, .ply, .gltf or .glb; or cube, cylinder, plane, sphere, torus or letters:TEXT, which need none", ""),
         keyed(default("scale", numbers(1, 0.0, 1e3), "1", "world units", "what a unit of the mesh's coordinates becomes", "")),
     ] },
 ];

@@ -3,9 +3,9 @@
 use super::json::sentence;
 use super::{
     BURST, CAMERA, CHAR, EDGES, EXTINCTIONS, FIRE, FLAME, FLOCK, FORMULA, Field, GENERATION_SHAPES,
-    GOAL, GROUND, IGNITION, IMAGE, INHERIT, Kind, LAMP, LAYER, LIGHT, LINE, Limits, OBSTACLES,
-    PILLAR, PLANET, Presence, RAMP, REGION, RELATIONS, ROOTS, SCENE, SPREAD, SURFACE, SYSTEM,
-    Variant, WINDS, parent_of,
+    GOAL, GRAIN, GROUND, IGNITION, IMAGE, INHERIT, Kind, LAMP, LAYER, LIGHT, LINE, Limits,
+    OBSTACLES, PILLAR, PLANET, Presence, RAMP, REGION, RELATIONS, ROOTS, SCENE, SMOKE, SPREAD,
+    SURFACE, SYSTEM, Variant, WINDS, parent_of,
 };
 use crate::scene::expect::{digits, range};
 
@@ -117,9 +117,15 @@ pub fn reference_page() -> String {
     page += &section("`[[fire.spread.ignition]]`", about, IGNITION);
     let about = "Where the heat comes from, in SI units, inside the `[fire.spread]` above it.";
     page += &section("`[fire.spread.formula]`", about, FORMULA);
+    let about = "A pattern as wood has it, inside the `[fire.spread]` above it, where it is slower, or inside a \
+                 `[[surface]]`, where it is darker: then the table is `surface.grain`.";
+    page += &section("`[fire.spread.grain]`", about, GRAIN);
     let about = "Circular, fuzzy, translucent marks where flames that a front has dropped have gone out, inside \
                  the `[fire.spread]` above it.";
     page += &section("`[fire.spread.char]`", about, CHAR);
+    let about = "Puffs that rise where flames that a front has dropped have gone out, in the wind that flames \
+                 are in, inside the `[fire.spread]` above it.";
+    page += &section("`[fire.spread.smoke]`", about, SMOKE);
     let about = "The front as a line from control point to control point, inside the `[fire.spread]` above it.";
     page += &section("`[fire.spread.line]`", about, LINE);
     let about = "A part of the wind, which is the sum of all of them and moves the particles of \
