@@ -207,8 +207,10 @@ fn wind(dice: &mut Dice) -> Wind {
 }
 
 fn system_row(dice: &mut Dice) -> SystemRow {
-    // 9 is none of the generation shapes, 3 none of the others.
-    let kinds = [dice.below(10), dice.below(4), dice.below(3), dice.word()];
+    // 9 is none of the generation shapes, 4 none of the others; of strokes, there are only those that a plan
+    // has.
+    let shape = [0, 1, 2, 4][dice.below(4) as usize];
+    let kinds = [dice.below(10), shape, dice.below(3), dice.word()];
     let mut shape = [
         dice.magnitude(2.0, 1e6),
         dice.magnitude(2.0, 1e6),
