@@ -5,7 +5,9 @@ pub mod flame;
 pub mod flock;
 pub mod ground;
 pub mod planet;
+pub mod shade;
 pub mod spread;
+pub mod stroke;
 pub mod surface;
 pub mod tree;
 
@@ -17,7 +19,9 @@ pub use flame::*;
 pub use flock::*;
 pub use ground::*;
 pub use planet::*;
+pub use shade::*;
 pub use spread::*;
+pub use stroke::*;
 pub use surface::*;
 pub use tree::*;
 
@@ -89,7 +93,8 @@ pub struct SystemRow {
     pub color_rate: [f32; 4],
     /// Half-widths of those rates.
     pub color_rate_var: [f32; 4],
-    /// Generation shape, particle shape, streak light, flags (the constants below).
+    /// Generation shape, particle shape, streak light or what a stroke is like, flags (the constants
+    /// below).
     pub kinds: [u32; 4],
 }
 
@@ -120,10 +125,20 @@ shared_constants! {
     pub const PARTICLE_RECTANGLE: u32 = 1;
     /// Drawn as a disc along its motion.
     pub const PARTICLE_STREAK: u32 = 2;
+    /// Drawn as its whole trajectory.
+    pub const PARTICLE_STROKE: u32 = 3;
     /// [`SystemRow::kinds`]`[2]`: a streak's total light is that of the disc at rest.
     pub const STREAK_CONSERVED: u32 = 0;
     /// A streak's covered pixels get the full colour.
     pub const STREAK_CONSTANT: u32 = 1;
+    /// Of a stroke: the most pieces that it is drawn of, in these bits.
+    pub const STROKE_PIECES_MASK: u32 = 0xff;
+    /// What its width loses to its end, in 4,095ths, above this bit.
+    pub const STROKE_TAPER_SHIFT: u32 = 8;
+    /// How dark its shadow is, in 4,095ths, above this bit.
+    pub const STROKE_SHADOW_SHIFT: u32 = 20;
+    /// Bits of those.
+    pub const STROKE_SHARE_MASK: u32 = 0xfff;
     /// [`SystemRow::kinds`]`[3]`: the cone of ejection opens outward, not up.
     pub const ROW_OUTWARD: u32 = 1;
     /// It opens around the z axis.
@@ -138,6 +153,8 @@ shared_constants! {
     pub const ROW_OVER: u32 = 32;
     /// They are shaded as spheres.
     pub const ROW_LIT_SPHERE: u32 = 64;
+    /// They are parts of a cloud: lit as far as the light comes through the others.
+    pub const ROW_LIT_CLOUD: u32 = 128;
     /// How soft their edge is stands above this bit, in 65,535ths.
     pub const ROW_SOFTNESS_SHIFT: u32 = 16;
     /// Word of `cover_counts`: records of something.
@@ -152,6 +169,8 @@ shared_constants! {
     pub const COVERS_OF_FRONTS: u32 = 4;
     /// Records of smoke.
     pub const COVERS_OF_SMOKE: u32 = 5;
+    /// Records of strokes.
+    pub const COVERS_OF_STROKES: u32 = 6;
     /// [`Cover::shape`]`[2]`: nothing is covered.
     pub const COVER_NONE: u32 = 0;
     /// A disc.
@@ -168,6 +187,10 @@ shared_constants! {
     pub const COVER_CONE: u32 = 6;
     /// A soft disc that is seen at a slant.
     pub const COVER_SLANTED: u32 = 7;
+    /// A piece of a stroke.
+    pub const COVER_STROKE: u32 = 8;
+    /// [`Cover::lit`] of a piece of a stroke: nothing is cut off where it ends.
+    pub const STROKE_UNCUT: f32 = 4.0;
     /// [`Cover::lit`]`[3]`: it is drawn where it is.
     pub const COVER_PLAIN: u32 = 0;
     /// It is drawn at the other side of the picture, mirrored.
@@ -182,6 +205,8 @@ shared_constants! {
     pub const SYSTEM_PARABOLIC: u32 = 4;
     /// What it bears are systems, not particles.
     pub const SYSTEM_BEARS_SYSTEMS: u32 = 8;
+    /// Its particles stay where they are born, for what is seen of one is its whole trajectory.
+    pub const SYSTEM_STILL: u32 = 16;
     /// [`Bound::kinds`]`[0]`: a plane.
     pub const BOUND_PLANE: u32 = 0;
     /// A sphere.
@@ -267,19 +292,21 @@ pub struct SystemFrame {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 pub struct Cover {
-    /// x and y in pixels of two points: a triangle's first two corners, a segment's ends, the centre of
+    /// x and y in pixels of two points: a triangle's first two corners, the ends of a segment or of a piece
+    /// of a stroke, the centre of
     /// a cone's base and its apex; a disc's or square's centre, then for shading the reciprocal of a
     /// disc's radius; of one seen at a slant, how much farther away it is a pixel to the right and down,
     /// in pixels.
     pub points: [u32; 4],
     /// A triangle's third corner. Of a disc or segment, how far it reaches from its centre or axis,
     /// pixels, and the reciprocal of its edge's width; of a square, half its width; of a cone, how far
-    /// its base reaches, and how much its axis points to the viewer, -1 to 1. Then what it is
-    /// (`COVER_` constants), and its depth along the view axis.
+    /// its base reaches, and how much its axis points to the viewer, -1 to 1; of a piece of a stroke, half
+    /// its width at both ends. Then what it is (`COVER_` constants), and its depth along the view axis.
     pub shape: [u32; 4],
     /// Colour in red, green, blue, before exposure; alpha, 0 to 1.
     pub color: [u32; 4],
-    /// What the light adds to the colour of a sphere where it falls straight; on which side of the
+    /// What the light adds to the colour of a sphere where it falls straight; of a piece of a stroke, the
+    /// directions that cut it off at both ends, as `wgsl/lib/cover.wgsl` has them; on which side of the
     /// picture it is drawn (`COVER_PLAIN` and what follows it).
     pub lit: [u32; 4],
 }

@@ -52,8 +52,9 @@
 //!    behind everything, and pillars on it, in that light.
 //! 8. *surface*: triangles, by four samples a pixel: how near the nearest is, then which it is, by
 //!    integer atomics; those that are seen, lit. What follows is hidden where it is behind them.
-//! 9. *shapes*: what covers what is behind it, one record a particle, a boid or a segment of its trail
-//!    ([`layout::Cover`]).
+//!    *shade*: clouds, in cells of a box along the light: how much of it comes to each.
+//! 9. *shapes*: what covers what is behind it, one record a particle, a boid or a segment of its trail,
+//!    several for a particle's whole trajectory ([`layout::Cover`]).
 //! 10. *cover*: the records are sorted by depth, stably, and each pixel gathers those that cover it,
 //!     from near to far; by tiles, in rounds, so that no tile has too many.
 //! 11. *planet*: a ball with a surface in every pixel, and on it what shows of the light of particles

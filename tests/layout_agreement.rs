@@ -10,9 +10,9 @@ use motes::gpu::{STAGE_KERNELS, check_binding};
 use motes::layout::{
     self, AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, DroppedFlame, FireFrame, Flame,
     FlameDisc, FlameLight, FlockFrame, Frame, FrameStats, Ground, Ignition, Lamp, ListedFlame,
-    Node, Obstacle, Particle, Pillar, Planet, Pose, Relation, SpreadCounts, SpreadEdge, SpreadFace,
-    SpreadFeature, SpreadFrame, SpreadPiece, SpreadPoint, StripJoint, SurfaceFrame, SurfaceLight,
-    SystemFrame, SystemRow, Walker, Wind,
+    Node, Obstacle, Particle, Pillar, Planet, Pose, Relation, ShadeBox, SpreadCounts, SpreadEdge,
+    SpreadFace, SpreadFeature, SpreadFrame, SpreadPiece, SpreadPoint, StripJoint, StrokeLight,
+    SurfaceFrame, SurfaceLight, SystemFrame, SystemRow, Walker, Wind,
 };
 use motes::plan::{BUFFERS, BufferRole, STAGES, Uses, buffer};
 
@@ -244,6 +244,21 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             middle,
             kinds,
             counts,
+        }),
+        rust_layout!(ShadeBox {
+            across,
+            aside,
+            along,
+            look,
+            kinds,
+        }),
+        rust_layout!(StrokeLight {
+            lamps_from,
+            ground,
+            shade_from,
+            shade_color,
+            middle,
+            kinds,
         }),
         rust_layout!(FlameLight { place, color }),
         rust_layout!(Dispatch { x, y, z }),
@@ -500,6 +515,10 @@ fn constants_agree_bit_for_bit() {
         motes::cpu::draw::flame_discs::CONSTANTS,
         motes::cpu::draw::strip_joints::CONSTANTS,
         motes::cpu::strip::CONSTANTS,
+        motes::cpu::shade::CONSTANTS,
+        motes::cpu::draw::shade::CONSTANTS,
+        motes::cpu::stroke::CONSTANTS,
+        motes::cpu::draw::strokes::CONSTANTS,
         motes::cpu::boid::CONSTANTS,
         motes::cpu::grid::CONSTANTS,
         motes::cpu::steering::CONSTANTS,

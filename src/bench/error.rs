@@ -27,6 +27,7 @@ impl BenchError {
         Self::Plan(PlanError {
             message: message.into(),
             help: help.into(),
+            key: None,
         })
     }
 }

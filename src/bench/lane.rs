@@ -11,7 +11,8 @@ use crate::gpu::{
     GpuBackend, GpuOptions, Load, STAGE_KERNELS, Traffic, stage_traffic, stages_of, traffic,
 };
 use crate::layout::{
-    COVERS_OF_BOIDS, COVERS_OF_MARKS, COVERS_OF_PARTICLES, COVERS_SEEN, FrameStats,
+    COVERS_OF_BOIDS, COVERS_OF_MARKS, COVERS_OF_PARTICLES, COVERS_OF_STROKES, COVERS_SEEN,
+    FrameStats,
 };
 use crate::plan::{FrameInputs, Plan, STAGES, Stage};
 
@@ -189,7 +190,9 @@ impl Lane {
             covers,
             boid_covers: count(COVERS_OF_BOIDS).saturating_sub(plan.trail_segments()),
             trail_segments: plan.trail_segments(),
+            stroke_covers: count(COVERS_OF_STROKES),
             seen_covers: count(COVERS_SEEN),
+            shade_cells: plan.shade_cells.pow(3).into(),
             faces: plan.surface_face_count.into(),
             surface_pixels,
             uses: plan.uses,

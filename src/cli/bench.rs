@@ -210,6 +210,7 @@ fn request(args: &BenchArgs) -> Result<Request, CliError> {
     let mut particles = args.particles.clone();
     particles.sort_unstable();
     particles.dedup();
+    let names: Vec<String> = scenes.iter().map(|scene| scene.name.clone()).collect();
     let request = Request {
         scenes,
         particles,
@@ -222,7 +223,11 @@ fn request(args: &BenchArgs) -> Result<Request, CliError> {
     };
     match request.check() {
         Ok(()) => Ok(request),
-        Err((scene, BenchError::Plan(error))) => Err(CliError::of_plan(&error, &scene)),
+        Err((scene, BenchError::Plan(error))) => {
+            let at = names.iter().position(|name| *name == scene);
+            let file = at.map_or(&scene, |at| &asked[at]);
+            Err(CliError::of_plan(&error, loader, file, &[]))
+        }
         Err((_, error)) => Err(error.into()),
     }
 }

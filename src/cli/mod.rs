@@ -28,7 +28,7 @@ use crate::backend::BackendError;
 use crate::output::OutputError;
 use crate::plan::PlanError;
 use crate::recording::RecordingError;
-use crate::scene::{Scene, SceneError};
+use crate::scene::{Loader, Scene, SceneError, Set};
 use crate::simulation::SimulationError;
 
 /// A headless-first particle laboratory: the same bits on every driver.
@@ -100,9 +100,15 @@ impl CliError {
         }
     }
 
-    /// A plan that cannot be, of that scene.
-    fn of_plan(error: &PlanError, scene: &str) -> Self {
-        let PlanError { message, help } = error;
+    /// A plan that cannot be, of that scene with these changes.
+    fn of_plan(error: &PlanError, loader: Loader, scene: &str, sets: &[Set]) -> Self {
+        let PlanError { message, help, key } = error;
+        // What came through a pipe is gone.
+        let draft = key.as_ref().and_then(|_| loader.draft(scene, sets).ok());
+        let placed = draft.zip(key.as_ref());
+        if let Some(error) = placed.and_then(|(draft, key)| draft.error_at(key, message, help)) {
+            return error.into();
+        }
         Self {
             message: format!("error: {message}\n  --> {scene}\n  = help: {help}"),
             code: 2,

@@ -7,6 +7,7 @@ use super::render::parse_size;
 use super::{CliError, note};
 use crate::gpu::GpuDevice;
 use crate::scene::Loader;
+use crate::simulation::AdapterChoice;
 use crate::view::{self, App, Script, Session, Source, WindowError};
 
 /// Arguments of `motes view`.
@@ -48,6 +49,13 @@ pub(super) fn run(args: &ViewArgs) -> Result<u8, CliError> {
     let loader = Loader {
         allow_outside: args.allow_outside,
     };
+    if AdapterChoice::parse(&args.adapter) == AdapterChoice::Cpu {
+        return Err(CliError::usage(
+            "a window is drawn by an adapter, and `cpu` is none",
+            "--adapter auto, or part of a name that `motes adapters` lists, e.g. llvmpipe; \
+             `motes render` draws on the processor",
+        ));
+    }
     // What is wrong with the scene is told before any window opens.
     loader.load_with(&args.scene, &sets)?;
     let size_px = [args.window.0, args.window.1];
@@ -94,8 +102,7 @@ fn play(
     })
     .map_err(|told| CliError::from(WindowError::Scene(told)))?;
     let mut app = App::new(session);
-    view::play(&mut app, &script, (device, queue), size_px)
-        .map_err(|told| CliError::from(WindowError::Scene(told)))?;
+    view::play(&mut app, &script, (device, queue), size_px)?;
     let changes = app.session.recording().changes.len();
     note!("motes: frame {}, {changes} changes", app.session.frame());
     Ok(0)
@@ -105,6 +112,7 @@ impl From<WindowError> for CliError {
     fn from(error: WindowError) -> Self {
         match error {
             WindowError::Scene(message) => Self { message, code: 2 },
+            WindowError::Output(error) => error.into(),
             WindowError::Machine(told) => Self::machine(
                 told,
                 "a window needs a display (X11 or Wayland) and a Vulkan driver that shows on it; \

@@ -10,7 +10,7 @@ use crate::exact::{
 };
 use crate::layout::{
     COVER_CONE, COVER_MIRRORED, COVER_NONE, COVER_SEGMENT, COVER_SLANTED, COVER_SOFT_DISC,
-    COVER_SQUARE, COVER_TRIANGLE, COVER_TWIN, Cover,
+    COVER_SQUARE, COVER_STROKE, COVER_TRIANGLE, COVER_TWIN, Cover, STROKE_UNCUT,
 };
 
 shared_constants! {
@@ -77,13 +77,15 @@ pub fn far_to_near(cover: &Cover) -> u32 {
 pub fn bounds_here(cover: &Cover, width: u32, height: u32) -> [i32; 4] {
     let [ax, ay, bx, by] = cover.points.map(f32::from_bits);
     let [u, v] = [cover.shape[0], cover.shape[1]].map(f32::from_bits);
-    let is_segment = [COVER_SEGMENT, COVER_CONE].contains(&cover.shape[2]);
+    let is_stroke = cover.shape[2] == COVER_STROKE;
+    let is_segment = [COVER_SEGMENT, COVER_CONE].contains(&cover.shape[2]) || is_stroke;
     let (end_x, end_y) = if is_segment { (bx, by) } else { (ax, ay) };
     let largest = max_exact(
         max_exact(ax.abs(), ay.abs()),
         max_exact(max_exact(end_x.abs(), end_y.abs()), u),
     );
-    let reach = u + largest * ROUNDING;
+    let of_stroke = max_exact(max_exact(u, v), 0.5) + 0.5;
+    let reach = if is_stroke { of_stroke } else { u } + largest * ROUNDING;
     let mut low = [min_exact(ax, end_x) - reach, min_exact(ay, end_y) - reach];
     let mut high = [max_exact(ax, end_x) + reach, max_exact(ay, end_y) + reach];
     if cover.shape[2] == COVER_TRIANGLE {
@@ -274,6 +276,50 @@ fn light_on_cone(cover: &Cover, light_from: Vec3, x: f32, y: f32) -> f32 {
     clamp_exact(dot3(normal, light_from), 0.0, 1.0)
 }
 
+/// Whether a place is ahead of a line across a direction: that of the number, -2 to 2, which says where
+/// the direction meets a square.
+fn is_ahead(cut: f32, [away_x, away_y]: [f32; 2]) -> bool {
+    let right = 1.0 - cut.abs();
+    let down = if less(cut, 0.0) {
+        right.abs() - 1.0
+    } else {
+        1.0 - right.abs()
+    };
+    !less(away_x * right + away_y * down, 0.0)
+}
+
+/// How much of the pixel a piece of a stroke covers. Pieces that follow each other are cut off at one
+/// line, so that a pixel's centre is in one of them; where nothing is cut off, the end is round. What
+/// is thinner than a pixel is that much clearer.
+fn coverage_of_stroke(cover: &Cover, x: f32, y: f32) -> f32 {
+    let [ax, ay, bx, by] = cover.points.map(f32::from_bits);
+    let [half_begin, half_end] = [cover.shape[0], cover.shape[1]].map(f32::from_bits);
+    let [cut_begin, cut_end] = [cover.lit[0], cover.lit[1]].map(f32::from_bits);
+    let axis = [bx - ax, by - ay];
+    let from_begin = [x - ax, y - ay];
+    let from_end = [x - bx, y - by];
+    let inverse = reciprocal(axis[0] * axis[0] + axis[1] * axis[1]);
+    let along = clamp_exact(
+        (from_begin[0] * axis[0] + from_begin[1] * axis[1]) * inverse,
+        0.0,
+        1.0,
+    );
+    let aside = [
+        from_begin[0] - axis[0] * along,
+        from_begin[1] - axis[1] * along,
+    ];
+    let half_px = half_begin + (half_end - half_begin) * along;
+    let distance = square_root(aside[0] * aside[0] + aside[1] * aside[1]);
+    let within = clamp_exact(max_exact(half_px, 0.5) + 0.5 - distance, 0.0, 1.0);
+    let is_before = less(cut_begin, STROKE_UNCUT) && !is_ahead(cut_begin, from_begin);
+    let is_past = less(cut_end, STROKE_UNCUT) && is_ahead(cut_end, from_end);
+    if is_before || is_past {
+        0.0
+    } else {
+        within * min_exact(2.0 * half_px, 1.0)
+    }
+}
+
 /// How much of the pixel it covers, 0 to 1.
 #[inline]
 pub fn coverage_at(cover: &Cover, x: i32, y: i32) -> f32 {
@@ -294,6 +340,9 @@ pub fn coverage_at(cover: &Cover, x: i32, y: i32) -> f32 {
     if kind == COVER_CONE {
         let outside = distance_from_cone(points, u - 0.5, center_x, center_y);
         return clamp_exact(0.5 - outside, 0.0, 1.0);
+    }
+    if kind == COVER_STROKE {
+        return coverage_of_stroke(cover, center_x, center_y);
     }
     let distance = if kind == COVER_SEGMENT {
         distance_from(center_x, center_y, points)
@@ -352,6 +401,8 @@ pub(super) struct Part {
 fn part_here(cover: &Cover, light_from: Vec3, x: i32, y: i32) -> Part {
     let light = if cover.shape[2] == COVER_CONE {
         light_on_cone(cover, light_from, f32_of_i32(x) + 0.5, f32_of_i32(y) + 0.5)
+    } else if cover.shape[2] == COVER_STROKE {
+        0.0
     } else {
         light_on(cover, light_from, x, y)
     };

@@ -27,12 +27,14 @@ pub mod pillar;
 pub mod projection;
 pub mod raster;
 pub mod reach;
+pub mod shade;
 pub mod shape;
 pub mod solid;
 pub mod spread;
 pub(crate) mod sprite;
 pub mod steering;
 pub mod strip;
+pub mod stroke;
 pub mod systems;
 pub mod tree;
 pub mod urge;
@@ -93,8 +95,13 @@ pub struct CpuBackend {
     /// Whether anything covers; if not, what follows is empty.
     has_covers: bool,
     covers: Vec<Cover>,
-    /// How many of them are of particles, of boids, of marks, of fronts and of smoke.
-    families: [usize; 5],
+    /// How many of them are of particles, of boids, of marks, of fronts, of smoke and of strokes.
+    families: [usize; 6],
+    /// Empty if clouds throw no shadows, as the one below.
+    shade_sums: Vec<u32>,
+    shade_light: Vec<u32>,
+    /// As [`Plan::stroke_records`] has it.
+    stroke_records: [u32; 2],
     cover_rg: Vec<[u32; 2]>,
     cover_bt: Vec<[u32; 2]>,
     image: Vec<u32>,
@@ -149,7 +156,10 @@ impl CpuBackend {
             light: LightSums::new(plan.width, plan.height),
             has_covers: plan.uses.covers,
             covers: Vec::new(),
-            families: [0; 5],
+            families: [0; 6],
+            shade_sums: try_zeroed(plan.shade_cells.pow(3) as usize, "cells")?,
+            shade_light: try_zeroed(plan.shade_cells.pow(3) as usize, "cells")?,
+            stroke_records: plan.stroke_records,
             cover_rg: try_zeroed(covered_pixels, "covered pixels")?,
             cover_bt: try_zeroed(covered_pixels, "covered pixels")?,
             image: try_zeroed(pixels, "pixels")?,
@@ -217,8 +227,14 @@ impl CpuBackend {
                 let (nearness, _) = self.surface_nearness.as_chunks::<4>();
                 self.flames.strips(inputs, &self.light, nearness);
             }
+            Stage::Shade => {
+                self.shade_sums = draw::shade::deposit(&self.particles, inputs, &self.rows);
+                let cells = inputs.shade_boxes[0].kinds[0] as usize;
+                self.shade_light = draw::shade::shade(&self.shade_sums, cells);
+            }
             Stage::Shapes if self.has_covers => {
                 let rows = &self.rows;
+                let shade_light = &self.shade_light;
                 self.covers.clear();
                 let room = self.covers.try_reserve(self.particles.len());
                 room.map_err(|_| {
@@ -226,13 +242,23 @@ impl CpuBackend {
                     BackendError::OutOfMemory(format!("{len} records of what covers"))
                 })?;
                 let records = self.particles.par_iter().with_min_len(CHUNK / 8);
-                let record = |particle| draw::shapes::shapes(particle, inputs, rows);
+                let record = |particle| draw::shapes::shapes(particle, inputs, rows, shade_light);
                 records.map(record).collect_into_vec(&mut self.covers);
                 let of_particles = self.covers.len();
                 self.flocks.shapes(inputs, &mut self.covers);
                 let of_boids = self.covers.len() - of_particles;
                 let [marks, fronts, smoke] = self.spreads.shapes(inputs, &mut self.covers);
-                self.families = [of_particles, of_boids, marks, fronts, smoke];
+                let before = self.covers.len();
+                if self.stroke_records[1] > 0 {
+                    let kinds = (self.stroke_records[0], self.stroke_records[1]);
+                    let particles = self.particles.par_iter().with_min_len(64);
+                    let records = particles.flat_map_iter(|particle| {
+                        draw::strokes::strokes(particle, inputs, rows, kinds)
+                    });
+                    self.covers.par_extend(records);
+                }
+                let strokes = self.covers.len() - before;
+                self.families = [of_particles, of_boids, marks, fronts, smoke, strokes];
             }
             Stage::Cover if self.has_covers => {
                 let (nearness, _) = self.surface_nearness.as_chunks::<4>();
@@ -460,8 +486,10 @@ impl CpuBackend {
     fn cover_counts(&self) -> Vec<u32> {
         let is_something = |cover: &&Cover| cover.shape[2] != COVER_NONE;
         let something = self.covers.iter().filter(is_something).count();
-        let [particles, boids, marks, fronts, smoke] = self.families;
-        let counts = [something, particles, boids, marks, fronts, smoke, 0, 0];
+        let [particles, boids, marks, fronts, smoke, strokes] = self.families;
+        let counts = [
+            something, particles, boids, marks, fronts, smoke, strokes, 0,
+        ];
         counts.map(|count| count as u32).to_vec()
     }
 }
@@ -543,6 +571,8 @@ impl Backend for CpuBackend {
             "catches" => bytemuck::cast_slice(&self.spreads.catches).to_vec(),
             "ring_spans" => bytemuck::cast_slice(&self.spreads.ring_spans).to_vec(),
             "spread_counts" => bytemuck::cast_slice(&[self.spreads.counts]).to_vec(),
+            "shade_sums" => self.shade_sums.clone(),
+            "shade_light" => self.shade_light.clone(),
             "covers" => try_copied(bytemuck::cast_slice(&self.covers), "what covers")?,
             "cover_counts" => self.cover_counts(),
             "cover_rg" => bytemuck::cast_slice(&self.cover_rg).to_vec(),

@@ -10,7 +10,7 @@ use crate::exact::{
 };
 use crate::layout::{
     COVER_CONE, COVER_DISC, COVER_MIRRORED, COVER_NONE, COVER_SEGMENT, COVER_SLANTED,
-    COVER_SOFT_DISC, COVER_SQUARE, COVER_TRIANGLE, COVER_TWIN, Cover, Frame,
+    COVER_SOFT_DISC, COVER_SQUARE, COVER_STROKE, COVER_TRIANGLE, COVER_TWIN, Cover, Frame,
 };
 
 /// What a shape looks like.
@@ -130,6 +130,17 @@ pub fn cone_of(base: Vec2, apex: Vec2, radius_px: f32, ahead: f32, look: &Look) 
         look.color.w * part * part,
         look,
     )
+}
+
+/// A piece of a stroke, half as wide at its ends as `half_px` says, cut off there across the directions of
+/// those numbers.
+pub fn stroke_of(begin: Vec2, end: Vec2, half_px: [f32; 2], cuts: [f32; 2], look: &Look) -> Cover {
+    let own = Look {
+        lit: Vec3::new(cuts[0], cuts[1], 0.0),
+        ..*look
+    };
+    let points = [begin.x, begin.y, end.x, end.y];
+    record(COVER_STROKE, points, half_px, look.color.w, &own)
 }
 
 /// The two records of what is mirrored: it and its mirror image or, where they overlap, both in one,

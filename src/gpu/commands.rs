@@ -79,6 +79,10 @@ enum Work {
     Smoke,
     /// One a control point, if fronts are drawn as lines.
     FrontLines,
+    /// Page by page, as the splat's dispatches say, told how many records each has, if there are strokes.
+    Strokes,
+    /// One a column of the cells in which clouds throw shadows.
+    ShadeColumns,
     /// One for every 32 flames that control points may have dropped, told how many those are.
     FlameRuns,
     /// One invocation, told how many points, flames and pieces there may be.
@@ -420,6 +424,16 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
         work: Work::EachPixel,
     },
     KernelUse {
+        stage: Stage::Shade,
+        kernel: "draw/deposit",
+        work: Work::LivePages,
+    },
+    KernelUse {
+        stage: Stage::Shade,
+        kernel: "draw/shade",
+        work: Work::ShadeColumns,
+    },
+    KernelUse {
         stage: Stage::Shapes,
         kernel: "draw/shapes",
         work: Work::LivePages,
@@ -448,6 +462,11 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
         stage: Stage::Shapes,
         kernel: "draw/smoke",
         work: Work::Smoke,
+    },
+    KernelUse {
+        stage: Stage::Shapes,
+        kernel: "draw/strokes",
+        work: Work::Strokes,
     },
     KernelUse {
         stage: Stage::Cover,
@@ -800,7 +819,13 @@ impl GpuBackend {
             Work::Smoke if plan.uses.smokes => {
                 push(0, 0, &[plan.dropped_places], direct(plan.dropped_places))
             }
-            Work::Marks | Work::FrontLines | Work::Smoke => Ok(()),
+            Work::Strokes if plan.uses.strokes => (0..paging.page_count).try_for_each(|page| {
+                let [pieces, records] = plan.stroke_records;
+                let size = Size::Indirect(paging.splat_dispatch(page));
+                push(page as usize, 0, &[page, pieces, records], size)
+            }),
+            Work::ShadeColumns => push(0, 0, &[], direct(plan.shade_cells.pow(2))),
+            Work::Marks | Work::FrontLines | Work::Smoke | Work::Strokes => Ok(()),
             Work::Dropping => push(0, 0, &[plan.dropped_places], direct(plan.point_capacity)),
             Work::FlameRuns => {
                 let count = plan.dropped_capacity;

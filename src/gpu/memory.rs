@@ -188,6 +188,7 @@ impl Memory {
         let names: &[&str] = match stage {
             Stage::Lights => &["flame_sums"],
             Stage::Surface => &["large_faces", "surface_nearness", "surface_faces"],
+            Stage::Shade => &["shade_sums"],
             Stage::Shapes => &["cover_counts"],
             Stage::Block => &["crowd"],
             Stage::Catch => &["catches"],
@@ -250,9 +251,10 @@ fn usage_of(name: &str) -> wgpu::BufferUsages {
     let role = crate::plan::buffer(name).map(|declared| declared.role);
     let kind = match (name, role) {
         ("frame", _) => Usage::UNIFORM | Usage::COPY_DST,
-        ("spread_counts" | "winds" | "counts" | "surface_light", _) => {
-            Usage::UNIFORM | Usage::STORAGE | Usage::COPY_DST
-        }
+        (
+            "spread_counts" | "winds" | "counts" | "surface_light" | "stroke_light" | "shade_box",
+            _,
+        ) => Usage::UNIFORM | Usage::STORAGE | Usage::COPY_DST,
         // Vertices, for callers who draw particles themselves.
         ("particles", _) => Usage::STORAGE | Usage::VERTEX | Usage::COPY_DST,
         ("dispatches", _) => Usage::STORAGE | Usage::INDIRECT | Usage::COPY_DST,

@@ -101,6 +101,7 @@ pub struct GpuBackend {
     has_skews: bool,
     has_strips: bool,
     has_surfaces: bool,
+    shade_cells: u32,
     /// Which pool holds the particles.
     current: usize,
     /// Whether newborns stand behind the living: between emit and advance.
@@ -236,6 +237,7 @@ impl GpuBackend {
             has_skews: plan.uses.skews,
             has_strips: plan.uses.strips,
             has_surfaces: plan.surface_count > 0,
+            shade_cells: plan.shade_cells,
             current: 0,
             newborns_present: false,
             points_moved: false,

@@ -126,6 +126,7 @@ impl GpuBackend {
             "cover_front" if self.has_surfaces && self.has_covers => pixels,
             "planet_pixels" | "ground_pixels" | "surface_nearness" | "surface_faces"
             | "surface_pixels" | "cover_front" => 0,
+            "shade_sums" | "shade_light" => u64::from(self.shade_cells).pow(3),
             "light_low" | "light_high" => pixels * 3,
             _ => whole.size() / 4,
         };

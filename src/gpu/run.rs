@@ -51,6 +51,8 @@ impl GpuBackend {
                 "surface_light",
                 bytemuck::cast_slice(&inputs.surface_lights),
             ),
+            ("shade_box", bytemuck::cast_slice(&inputs.shade_boxes)),
+            ("stroke_light", bytemuck::cast_slice(&inputs.stroke_lights)),
             ("pillars", bytemuck::cast_slice(&inputs.pillars)),
             ("poses", bytemuck::cast_slice(&inputs.poses)),
             ("broods", bytemuck::cast_slice(&inputs.broods)),

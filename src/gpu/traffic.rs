@@ -50,8 +50,12 @@ pub struct Load {
     pub boid_covers: u64,
     /// Those of them that are of boids' trails.
     pub trail_segments: u64,
+    /// Those of them that are of strokes.
+    pub stroke_covers: u64,
     /// Those of them that are in sight.
     pub seen_covers: u64,
+    /// Cells in which clouds throw shadows on themselves.
+    pub shade_cells: u64,
     /// Triangles of surfaces.
     pub faces: u64,
     /// Pixels with some triangle in them.
@@ -312,6 +316,12 @@ static TABLE: &[Line] = &[
     ("draw/surface", |load| {
         (load.pixels, load.pixels * 12 * WORD)
     }),
+    ("draw/deposit", |load| {
+        (load.live, load.live * PARTICLE + load.shade_cells * WORD)
+    }),
+    ("draw/shade", |load| {
+        (load.shade_cells, load.shade_cells * 2 * WORD)
+    }),
     ("draw/shapes", |load| {
         (load.live, load.live * (PARTICLE + COVER))
     }),
@@ -330,6 +340,9 @@ static TABLE: &[Line] = &[
     }),
     ("draw/front_lines", |load| {
         (load.points, load.points * (POINT + COVER))
+    }),
+    ("draw/strokes", |load| {
+        (load.live, load.live * PARTICLE + load.stroke_covers * COVER)
     }),
     ("draw/cover_work", |_| {
         // Counts of families, their sum, what the sort and one round are dispatched by.

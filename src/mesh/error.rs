@@ -82,6 +82,13 @@ impl MeshError {
         }
     }
 
+    /// Whether there is memory for so many, of that many bytes each, with all that is made on the way:
+    /// what runs out of it later, in the midst of something, ends the program.
+    pub(crate) fn room_for(count: usize, bytes_each: usize, of_what: &str) -> Result<(), Self> {
+        let room = Vec::<u8>::new().try_reserve_exact(count.saturating_mul(bytes_each));
+        room.map_err(|_| Self::no_memory(count as u64, of_what))
+    }
+
     pub(super) fn unknown_ending() -> Self {
         let endings: Vec<String> = ENDINGS.iter().map(|it| format!(".{it}")).collect();
         Self::new(

@@ -63,6 +63,9 @@ pub struct Mesh {
     digest: u64,
 }
 
+/// What a byte of a file takes in memory while it is read, at most.
+const BYTES_A_BYTE: usize = 2;
+
 /// Fetches a file that a glTF names, by the path that it is named by.
 pub type Fetch<'a> = dyn FnMut(&str) -> Result<Vec<u8>, MeshError> + 'a;
 
@@ -82,6 +85,11 @@ impl Mesh {
         let ending = ending.to_string_lossy().to_lowercase();
         // Some programs begin texts with a byte order mark; no binary format begins so.
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        MeshError::room_for(
+            bytes.len(),
+            BYTES_A_BYTE,
+            "bytes of the file, once they are read",
+        )?;
         let mut notes = Vec::new();
         let built = match ending.as_str() {
             "obj" => obj::read(bytes)?,

@@ -2,6 +2,7 @@
 
 use super::PlanError;
 use super::camera::camera_frame;
+use super::stroke::is_stroke;
 use super::system::{births_at, bounding_sphere, system_key};
 use super::tree::bears_systems;
 use crate::area::screen_area_px;
@@ -51,7 +52,8 @@ pub(super) fn lifetime_bound(
             if bears_systems(&greatest.systems, system) {
                 continue;
             }
-            let lifetime = match system.lifetime {
+            // Strokes stay.
+            let lifetime = match system.lifetime.filter(|_| !is_stroke(system)) {
                 // Lifetimes are rounded to the nearest; the hundredth stands for single precision.
                 Some(lifetime) => {
                     let own = system.inherit.lifetime;
@@ -62,13 +64,15 @@ pub(super) fn lifetime_bound(
                 None if frames > MOST_UNLIMITED_FRAMES => {
                     return Err(PlanError {
                         message: format!(
-                            "`system.{}` has no lifetime, and the run has {frames} frames",
+                            "`system.{}` has no lifetime, or its strokes stay, and the run has {frames} \
+                             frames",
                             system.name
                         ),
                         help: format!(
                             "a lifetime, or a scene (`frames`) and a run of at most \
                              {MOST_UNLIMITED_FRAMES} frames"
                         ),
+                        key: Some(format!("system.{}", system.name)),
                     });
                 }
                 None => frames as u32 + 1,
@@ -113,6 +117,7 @@ pub(super) fn capacity(
         help: "give the scene `capacity = N`, the most particles alive at once; births beyond it \
                are left out and counted as dropped"
             .into(),
+        key: None,
     };
     let frames = (i64::from(frame_end) - i64::from(first)) as usize;
     if frames as u64 * systems as u64 > MOST_STEPS {

@@ -5,8 +5,9 @@ use crate::layout::{
     AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, DroppedFlame, FLAME_LIGHTS, FLAME_STEPS,
     FireFrame, Flame, FlameDisc, FlameLight, FlockFrame, Frame, FrameStats, Ground, Ignition, Lamp,
     ListedFlame, Node, Obstacle, Particle, Pillar, Planet, Pose, ROWS_A_SOLID_FACE, Relation,
-    SpreadCounts, SpreadEdge, SpreadFace, SpreadFeature, SpreadFrame, SpreadPiece, SpreadPoint,
-    StripJoint, SurfaceFrame, SurfaceLight, SystemFrame, SystemRow, Walker, Wind,
+    ShadeBox, SpreadCounts, SpreadEdge, SpreadFace, SpreadFeature, SpreadFrame, SpreadPiece,
+    SpreadPoint, StripJoint, StrokeLight, SurfaceFrame, SurfaceLight, SystemFrame, SystemRow,
+    Walker, Wind,
 };
 
 /// What a buffer is for.
@@ -115,6 +116,8 @@ pub enum Count {
     FrontPixels,
     /// So many a pixel, in whole fours, if anything covers.
     CoveredPixels(u32),
+    /// One a cell of the box in which clouds throw shadows on themselves.
+    ShadeCells,
     /// A list of the backend's.
     Backend,
 }
@@ -271,6 +274,22 @@ pub static BUFFERS: &[Buffer] = {
             Input,
             "SurfaceLight",
             size_of::<SurfaceLight>(),
+            Count::Fixed(1),
+        ),
+        buffer_of(
+            "shade_box",
+            Input,
+            "ShadeBox",
+            size_of::<ShadeBox>(),
+            Count::Fixed(1),
+        ),
+        buffer_of("shade_sums", State, "u32", 4, Count::ShadeCells),
+        buffer_of("shade_light", State, "u32", 4, Count::ShadeCells),
+        buffer_of(
+            "stroke_light",
+            Input,
+            "StrokeLight",
+            size_of::<StrokeLight>(),
             Count::Fixed(1),
         ),
         buffer_of(
@@ -669,6 +688,7 @@ impl Buffer {
             | Count::SurfacePixels(_)
             | Count::FrontPixels => 0,
             Count::Pixels(each) => (plan.width * plan.height).next_multiple_of(4) * each,
+            Count::ShadeCells => plan.shade_cells.pow(3),
             Count::Backend => return None,
         })
     }

@@ -158,6 +158,7 @@ pub(super) fn check_looks(scene: &Scene) -> Result<(), PlanError> {
                     flock.name
                 ),
                 help: "a flock with `dimensions = 3`, or a ball or a box instead".into(),
+                key: Some(format!("flock.{}.obstacle", flock.name)),
             });
         }
     }
@@ -179,6 +180,7 @@ pub(super) fn check_looks(scene: &Scene) -> Result<(), PlanError> {
         help: format!(
             "at most {MOST_LOOKS}: a smaller `count` or `perception_radius`, or a larger `region`"
         ),
+        key: Some(format!("flock.{name}.count")),
     })
 }
 

@@ -76,5 +76,6 @@ pub(super) fn check_ground(scene: &Scene) -> Result<(), PlanError> {
     Err(PlanError {
         message: "this scene has a ground or a pillar, and an orthographic camera".into(),
         help: "a camera in perspective, or neither `ground` nor `pillar`".into(),
+        key: Some("camera.projection".into()),
     })
 }

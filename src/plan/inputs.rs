@@ -7,15 +7,17 @@ use super::flock::flocks_of;
 use super::ground::{ground_of, has_ground};
 use super::lights::light_roots;
 use super::planet::{lamps_of, outline_of, planet_of};
+use super::shade::box_of;
 use super::spread::spread_frames;
+use super::stroke::light_of;
 use super::surface::surfaces_of;
 use super::system::{Moments, bounds_of, system_frame, system_row};
 use super::tree::{bears_systems, broods, pose_of, row_spread};
 use super::wind::winds_of;
 use crate::layout::{
     AgeLook, Bound, Brood, FireFrame, FlockFrame, Frame, Ground, Ignition, Lamp, ListedFlame,
-    Obstacle, Pillar, Planet, Pose, Relation, SYSTEM_BEARS_SYSTEMS, SpreadFrame, SpreadPiece,
-    SurfaceFrame, SurfaceLight, SystemFrame, SystemRow, Wind,
+    Obstacle, Pillar, Planet, Pose, Relation, SYSTEM_BEARS_SYSTEMS, ShadeBox, SpreadFrame,
+    SpreadPiece, StrokeLight, SurfaceFrame, SurfaceLight, SystemFrame, SystemRow, Wind,
 };
 use crate::scene::Scene;
 
@@ -43,7 +45,7 @@ pub struct FrameInputs {
     pub layer_planes: Vec<[f32; 4]>,
     /// The planet, if there is one.
     pub planets: Vec<Planet>,
-    /// Lights near it and the ground, at most [`Plan::MOST_LAMPS`].
+    /// Lights near it, the ground, surfaces and strokes, at most [`Plan::MOST_LAMPS`].
     pub lamps: Vec<Lamp>,
     /// The ground, if there is a surface besides a planet.
     pub grounds: Vec<Ground>,
@@ -53,6 +55,10 @@ pub struct FrameInputs {
     pub surfaces: Vec<SurfaceFrame>,
     /// What falls on them, if there are any.
     pub surface_lights: Vec<SurfaceLight>,
+    /// What falls on strokes, if there are any.
+    pub stroke_lights: Vec<StrokeLight>,
+    /// The box in which clouds throw shadows on themselves, if there is one.
+    pub shade_boxes: Vec<ShadeBox>,
     /// One a flock.
     pub flocks: Vec<FlockFrame>,
     /// What flocks make of each other, flock by flock.
@@ -123,7 +129,9 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
     let layer_planes = layer_planes(&now);
     let (flocks, relations, obstacles) = flocks_of(&now, &earlier, &plan.solids);
     let planets = planet_of(&now);
-    let lamps = if planets.is_empty() && !has_ground(&now) && now.surfaces.is_empty() {
+    let stroke_lights = light_of(&now);
+    let is_lit = has_ground(&now) || !now.surfaces.is_empty() || !stroke_lights.is_empty();
+    let lamps = if planets.is_empty() && !is_lit {
         Vec::new()
     } else {
         lamps_of(&now).0
@@ -160,6 +168,8 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
         pillars,
         surfaces,
         surface_lights,
+        stroke_lights,
+        shade_boxes: box_of(&now),
         flocks,
         relations,
         obstacles,

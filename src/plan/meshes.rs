@@ -66,6 +66,7 @@ impl MeshTables {
             return Err(PlanError {
                 message: format!("this scene is born on {} faces of meshes", first + count),
                 help: format!("at most {MOST_TRIANGLES} in all"),
+                key: None,
             });
         }
         let mut areas = Vec::with_capacity(count);

@@ -17,9 +17,11 @@ mod lights;
 mod meshes;
 mod planet;
 mod population;
+mod shade;
 mod solids;
 mod spread;
 mod stages;
+mod stroke;
 mod surface;
 mod system;
 mod tree;
@@ -41,7 +43,7 @@ pub use uses::Uses;
 
 use std::sync::Arc;
 
-use crate::scene::{Blend, Camera, Fire, Owner, Scene, Track};
+use crate::scene::{Blend, Camera, Fire, FireSpread, Owner, Scene, Track};
 
 /// Why a scene cannot become a plan: it is the scene's fault, and the message says what to change.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -50,6 +52,17 @@ pub struct PlanError {
     pub message: String,
     /// What would be right.
     pub help: String,
+    /// The key of the scene that is at fault, as [`load_with`](crate::scene::load_with) takes its
+    /// path, such as `flock.crows.count`; `None` if there is no one key.
+    pub key: Option<String>,
+}
+
+impl PlanError {
+    /// With the key that is at fault.
+    fn of_key(mut self, key: impl Into<String>) -> Self {
+        self.key = Some(key.into());
+        self
+    }
 }
 
 impl std::fmt::Display for PlanError {
@@ -116,6 +129,11 @@ pub struct Plan {
     pub width: u32,
     /// Pixels down.
     pub height: u32,
+    /// Straight pieces of a stroke, at most, and records of what covers for each particle: those of its
+    /// shadow and of itself. 0 if there are no strokes.
+    pub stroke_records: [u32; 2],
+    /// Cells along each side of the box in which clouds throw shadows on themselves; 0 if there is none.
+    pub shade_cells: u32,
     /// What its systems make use of, at any time.
     pub uses: Uses,
     /// The frame that a run begins with: 0, or before it where births begin earlier.
@@ -247,6 +265,8 @@ impl Plan {
                 .sum(),
             width: scene.image.width,
             height: scene.image.height,
+            stroke_records: stroke::records_of(scene),
+            shade_cells: shade::cells_of(scene),
             uses: Uses::default(),
             first_frame,
             curve_points: curves::curve_points(&scenes),
@@ -374,6 +394,7 @@ impl Plan {
             Stage::Lights => (self.uses.ground || self.surface_count > 0) && self.fire_count > 0,
             Stage::Hatch | Stage::Cells | Stage::Steer => self.flock_count > 0,
             Stage::Shapes | Stage::Cover => self.uses.covers,
+            Stage::Shade => self.shade_cells > 0,
             Stage::Front | Stage::Insert => self.spread_count > 0,
             Stage::Block => self.blocks,
             Stage::Catch => self.spreads.piece_count() > 0,
@@ -388,8 +409,8 @@ impl Plan {
         (2 * self.point_capacity).next_power_of_two()
     }
 
-    /// Records of what covers, at most: one a particle, those of boids, of marks, of fronts and of smoke, if anything
-    /// covers.
+    /// Records of what covers, at most: one a particle, those of boids, of marks, of fronts, of smoke and of strokes, if
+    /// anything covers.
     pub fn cover_capacity(&self) -> u32 {
         if self.uses.covers {
             let marks = if self.uses.marks {
@@ -407,7 +428,9 @@ impl Plan {
             } else {
                 0
             };
-            self.capacity + self.boid_cover_count + marks + lines + smoke
+            let strokes = self.capacity.saturating_mul(self.stroke_records[1]);
+            let own = self.capacity.saturating_add(strokes);
+            own.saturating_add(self.boid_cover_count + marks + lines + smoke)
         } else {
             0
         }
@@ -443,7 +466,14 @@ fn point_capacity(scene: &Scene) -> Result<u32, PlanError> {
     Err(PlanError {
         message: format!("this scene's fires may have {wanted} control points in all"),
         help: format!("`max_points` that sum to at most {MOST}"),
+        key: costliest(scene, "spread.max_points", |spread| spread.max_points),
     })
+}
+
+/// The key below the fire that has the most of it.
+fn costliest(scene: &Scene, key: &str, most: impl Fn(&FireSpread) -> u32) -> Option<String> {
+    let (fire, _) = spread::spreads_of(scene).max_by_key(|(_, spread)| most(spread))?;
+    Some(format!("fire.{}.{key}", scene.fires[fire].name))
 }
 
 /// Flames that control points may have dropped at once, of all fires together.
@@ -466,6 +496,9 @@ fn mark_places(scene: &Scene) -> Result<u32, PlanError> {
     Err(PlanError {
         message: format!("this scene's fires may leave {wanted} marks in all"),
         help: format!("`max_marks` and `max_puffs` that sum to at most {MOST}"),
+        key: costliest(scene, "spread.char.max_marks", |spread| {
+            spread.char.map_or(0, |char| char.max_marks)
+        }),
     })
 }
 
@@ -482,6 +515,7 @@ fn check_bounds(scenes: &[&Scene]) -> Result<(), PlanError> {
     Err(PlanError {
         message: format!("this scene has {most} extinctions by place in all"),
         help: format!("at most {}", Plan::MOST_BOUNDS),
+        key: None,
     })
 }
 
@@ -522,6 +556,10 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
         let systems = scene.systems.iter();
         systems.map(|system| system.blend).collect()
     };
+    let strokes = |scene: &Scene| -> Vec<bool> {
+        let systems = scene.systems.iter();
+        systems.map(stroke::is_stroke).collect()
+    };
     let tree = |scene: &Scene| -> Vec<Option<String>> {
         let systems = scene.systems.iter();
         systems.map(|system| system.parent.clone()).collect()
@@ -533,7 +571,12 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
                 (scene.planet.is_some(), ground::has_ground(scene)),
                 surface::fixed_of(scene),
             ),
-            blends(scene),
+            (
+                blends(scene),
+                strokes(scene),
+                stroke::records_of(scene),
+                shade::cells_of(scene),
+            ),
             scene.image.width,
             scene.image.height,
             scene.seed,
@@ -549,11 +592,10 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
                 "the change at frame {} alters what holds for a whole run",
                 turn.frame
             ),
-            help: "the list of systems, their names, parents and `blend`, whether there is a planet, whether a ground or pillars, the number of surfaces, their meshes and `crease_degrees`, the flocks' and fires' names and counts, `trail_frames`, what fires spread over from where and their `max_points`, the \
+            help: "the list of systems, their names, parents and `blend`, which are of strokes, of how many pieces and whether with shadows, whether clouds throw shadows and in how many cells, whether there is a planet, whether a ground or pillars, the number of surfaces, their meshes and `crease_degrees`, the flocks' and fires' names and counts, `trail_frames`, what fires spread over from where and their `max_points`, the \
                    number of layers, the image size, the seed and the capacity stay as the scene has \
                    them"
-                .into(),
-        });
+                .into(), key: None });
     }
     Ok(())
 }

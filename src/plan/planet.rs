@@ -79,5 +79,6 @@ pub(super) fn check_planet(scene: &Scene) -> Result<(), PlanError> {
     Err(PlanError {
         message: "this scene has a planet and an orthographic camera".into(),
         help: "a camera in perspective, or no `planet`".into(),
+        key: Some("camera.projection".into()),
     })
 }

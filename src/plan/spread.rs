@@ -1,6 +1,7 @@
 //! What fires spread over, and how fast: stored faces with their edges, and the part of a frame.
 
 use glam::{UVec4, Vec3};
+use rayon::prelude::*;
 
 use super::PlanError;
 use super::fire::noise_key;
@@ -11,7 +12,7 @@ use crate::layout::{
     SPREAD_CARRIES, SPREAD_FLAT, SPREAD_LITERAL, SPREAD_MIDPOINT, SPREAD_NORMAL, SPREAD_SPILL,
     SPREAD_STAIN, SpreadEdge, SpreadFace, SpreadFeature, SpreadFrame, SpreadPiece,
 };
-use crate::mesh::surface::{HalfEdge, NO_EDGE, SurfaceFace};
+use crate::mesh::surface::{FeatureNear, HalfEdge, NO_EDGE, SurfaceFace};
 use crate::rng::pcg4d;
 use crate::scene::{
     Curvature, FireSpread, FrontHeading, Grain, GrainPattern, Insertion, Scene, SpreadLaw,
@@ -35,6 +36,9 @@ const MOST_AIR: f32 = 2.0 * std::f32::consts::PI;
 /// Faces of all surfaces that fires spread over at most: what a binding of 128 MiB holds of their
 /// half-edges.
 const MOST_FACES: usize = (128 << 20) / (3 * size_of::<SpreadEdge>());
+
+/// Faces whose neighbourhoods are searched before their edges are counted.
+const FACES_AT_A_TIME: usize = 256;
 
 /// Edges near faces at most: what such a binding holds of them.
 const MOST_FEATURES: usize = (128 << 20) / size_of::<SpreadFeature>();
@@ -84,7 +88,11 @@ impl SpreadTables {
                 Curvature::Ignored => 0.0,
                 _ => reaches(slot),
             };
-            let first_face = tables.add(spread, reach)?;
+            let name = &first.fires[at].name;
+            let first_face = tables.add(spread, reach).map_err(|error| {
+                let at_fault = error.key.clone().unwrap_or_default();
+                error.of_key(format!("fire.{name}.spread.{at_fault}"))
+            })?;
             let fire_key = name_key(first.seed, &first.fires[at].name, RING_TAG);
             for (ring, ignition) in (0..).zip(&spread.ignitions) {
                 let (face, place) = spread.surface.nearest(ignition.position.map(f64::from));
@@ -200,25 +208,20 @@ impl SpreadTables {
                     self.faces.len() + surface.faces().len()
                 ),
                 help: format!("at most {MOST_FACES} in all"),
+                key: Some("mesh".into()),
             });
         }
-        for (at, face) in (0..).zip(surface.faces()) {
-            let near = surface.features_near(at, f64::from(reach));
-            let features = [
-                self.features.len() as u32,
-                near.len() as u32,
-                face.source,
-                0,
-            ];
-            self.faces.push(face_of(face, features));
-            for feature in near {
-                let [x, y] = feature.from;
-                let [along_x, along_y] = feature.along;
-                let square = along_x * along_x + along_y * along_y;
-                self.features.push(SpreadFeature {
-                    line: [x, y, along_x, along_y].map(|x| snap(x as f32)),
-                    bend: [feature.dihedral as f32, (1.0 / square) as f32, 0.0, 0.0].map(snap),
-                });
+        for (block, faces) in surface.faces().chunks(FACES_AT_A_TIME).enumerate() {
+            let first = (block * FACES_AT_A_TIME) as u32;
+            let near: Vec<Vec<FeatureNear>> = (first..first + faces.len() as u32)
+                .into_par_iter()
+                .map(|at| surface.features_near(at, f64::from(reach)))
+                .collect();
+            for (face, near) in faces.iter().zip(near) {
+                let [begin, count] = [self.features.len(), near.len()].map(|at| at as u32);
+                let features = [begin, count, face.source, 0];
+                self.faces.push(face_of(face, features));
+                self.features.extend(near.iter().map(feature_of));
             }
             if self.features.len() > MOST_FEATURES {
                 return Err(PlanError {
@@ -227,6 +230,7 @@ impl SpreadTables {
                         spread.mesh.name()
                     ),
                     help: "a smaller one, or a mesh with larger faces".into(),
+                    key: Some("curvature_distance".into()),
                 });
             }
         }
@@ -235,6 +239,16 @@ impl SpreadTables {
             self.edges.push(edge_of(half, corner, 3 * first));
         }
         Ok(first)
+    }
+}
+
+fn feature_of(near: &FeatureNear) -> SpreadFeature {
+    let [x, y] = near.from;
+    let [along_x, along_y] = near.along;
+    let square = along_x * along_x + along_y * along_y;
+    SpreadFeature {
+        line: [x, y, along_x, along_y].map(|x| snap(x as f32)),
+        bend: [near.dihedral as f32, (1.0 / square) as f32, 0.0, 0.0].map(snap),
     }
 }
 
@@ -283,6 +297,7 @@ fn pieces_of(
             help: format!(
                 "at most {MOST_PIECES} pieces of {MOST_CATCHING_FACES} faces, or no `catch_points`"
             ),
+            key: None,
         });
     }
     Ok(pieces)

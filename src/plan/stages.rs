@@ -40,6 +40,8 @@ pub enum Stage {
     Ground,
     /// Triangles, lit.
     Surface,
+    /// How much of the light comes to the parts of clouds.
+    Shade,
     /// What covers, as it is seen.
     Shapes,
     /// What covers, from near to far, in every pixel.
@@ -300,6 +302,20 @@ pub static STAGES: &[StageInfo] = &[
         draws: true,
     },
     StageInfo {
+        stage: Stage::Shade,
+        name: "shade",
+        reads: &[
+            "frame",
+            "shade_box",
+            "system_frames",
+            "rows",
+            "counts",
+            "particles",
+        ],
+        writes: &["shade_sums", "shade_light"],
+        draws: true,
+    },
+    StageInfo {
         stage: Stage::Shapes,
         name: "shapes",
         reads: &[
@@ -320,6 +336,10 @@ pub static STAGES: &[StageInfo] = &[
             "dropped_flames",
             "winds",
             "layer_planes",
+            "stroke_light",
+            "shade_box",
+            "shade_light",
+            "lamps",
         ],
         writes: &["covers", "cover_counts"],
         draws: true,
@@ -442,6 +462,7 @@ impl Stage {
             Self::Planet => !inputs.planets.is_empty(),
             Self::Ground => !inputs.grounds.is_empty(),
             Self::Surface => !inputs.surfaces.is_empty(),
+            Self::Shade => !inputs.shade_boxes.is_empty(),
             Self::Lights => {
                 let is_lit = !inputs.grounds.is_empty() || !inputs.surfaces.is_empty();
                 is_lit && !inputs.fires.is_empty()

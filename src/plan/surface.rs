@@ -36,9 +36,13 @@ impl SurfaceTables {
     /// The tables of all meshes that are seen in the scenes.
     pub(super) fn new(scenes: &[&Scene]) -> Result<Self, PlanError> {
         let mut tables = Self::default();
-        for surface in scenes.iter().flat_map(|scene| &scene.surfaces) {
+        for (at, surface) in scenes
+            .iter()
+            .flat_map(|one| one.surfaces.iter().enumerate())
+        {
             if tables.place_of(surface).is_none() {
-                tables.add(surface)?;
+                let key = || format!("surface.{at}.mesh");
+                tables.add(surface).map_err(|error| error.of_key(key()))?;
             }
         }
         Ok(tables)
@@ -74,6 +78,7 @@ fn too_many(count: usize) -> PlanError {
     PlanError {
         message: format!("this scene's surfaces have {count} triangles"),
         help: format!("at most {MOST_TRIANGLES} in all"),
+        key: None,
     }
 }
 
@@ -135,7 +140,10 @@ pub(super) fn face_count(scene: &Scene) -> Result<u32, PlanError> {
     let counts = scene.surfaces.iter();
     let count = counts.map(|one| one.mesh.triangles().len()).sum();
     if count > MOST_TRIANGLES {
-        return Err(too_many(count));
+        let largest = (0..scene.surfaces.len())
+            .max_by_key(|at| scene.surfaces[*at].mesh.triangles().len())
+            .unwrap_or(0);
+        return Err(too_many(count).of_key(format!("surface.{largest}.mesh")));
     }
     Ok(count as u32)
 }
@@ -153,6 +161,7 @@ pub(super) fn check_surfaces(scene: &Scene) -> Result<(), PlanError> {
     Err(PlanError {
         message: "this scene has a surface and an orthographic camera".into(),
         help: "a camera in perspective, or no `surface`".into(),
+        key: Some("camera.projection".into()),
     })
 }
 

@@ -4,6 +4,7 @@ use glam::{UVec4, Vec3};
 
 use super::curves::{CURVE_LEN, first_point};
 use super::meshes::MeshTables;
+use super::stroke::{is_stroke, word_of};
 use super::wind::wander;
 use crate::exact::{dot3, normalize_exact, snap};
 use crate::layout::{self, Bound, SystemFrame, SystemRow};
@@ -180,7 +181,7 @@ pub(super) fn system_frame(moments: &Moments, seed: u64, frame: i32) -> SystemFr
         ) | flag(
             system.integration == Integration::Parabola,
             layout::SYSTEM_PARABOLIC,
-        ),
+        ) | flag(is_stroke(system), layout::SYSTEM_STILL),
         bounding_sphere: bounding_sphere(system),
         ..SystemFrame::default()
     }
@@ -294,8 +295,10 @@ pub(super) fn system_row(system: &System, meshes: &MeshTables) -> SystemRow {
         ParticleShape::Sphere => layout::PARTICLE_SPHERE,
         ParticleShape::Rectangle => layout::PARTICLE_RECTANGLE,
         ParticleShape::Streak => layout::PARTICLE_STREAK,
+        ParticleShape::Stroke => layout::PARTICLE_STROKE,
     };
     let streak = match system.streak_light {
+        _ if is_stroke(system) => word_of(system),
         StreakLight::Conserved => layout::STREAK_CONSERVED,
         StreakLight::Constant => layout::STREAK_CONSTANT,
     };
@@ -357,6 +360,7 @@ fn row_flags(system: &System) -> u32 {
         layout::ROW_WITHIN_FRAME,
     ) | flag(system.blend == Blend::Over, layout::ROW_OVER)
         | flag(system.shading == Shading::LitSphere, layout::ROW_LIT_SPHERE)
+        | flag(system.shading == Shading::LitCloud, layout::ROW_LIT_CLOUD)
         | ((system.edge_softness * 65_535.0 + 0.5) as u32) << layout::ROW_SOFTNESS_SHIFT
 }
 

@@ -314,6 +314,7 @@ pub(super) fn capacity(scene: &Scene, most_of_kinds: &[u64]) -> Result<u32, Plan
                 "give the scene `max_systems = N`, the most at once; births beyond it are left out \
                    and counted as dropped"
                     .into(),
+            key: None,
         });
     }
     Ok((most as u32).max(1))
@@ -374,6 +375,7 @@ pub(super) fn check_rings(scene: &Scene) -> Result<(), PlanError> {
                 system.name
             ),
             help: "a system with it as its `parent`, or another `generation_shape`".into(),
+            key: Some(format!("system.{}.generation_shape", system.name)),
         }),
     }
 }

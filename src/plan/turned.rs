@@ -22,6 +22,8 @@ impl Plan {
             planet: self.uses.planet,
             ground: self.uses.ground,
             surfaces: self.uses.surfaces,
+            strokes: self.uses.strokes,
+            shades: self.uses.shades,
             triangles: self.uses.triangles,
             cones: self.uses.cones,
             mirrors: self.uses.mirrors,
@@ -83,6 +85,7 @@ impl Plan {
             Err(PlanError {
                 message: format!("the change at frame {frame} {message}"),
                 help: help.to_owned(),
+                key: None,
             })
         };
         let begin_anew = "begin a new run with it, among the turns that are known";

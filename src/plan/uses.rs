@@ -3,8 +3,9 @@
 use super::FrameInputs;
 use crate::layout::{
     BOID_CONE, BOID_TRIANGLE, EDGES_TORUS, FIRE_STRIP, FireFrame, FlockFrame, GRAIN_NONE,
-    OBSTACLE_MESH, Obstacle, PARTICLE_RECTANGLE, PARTICLE_STREAK, ROW_OVER, Relation, SHAPE_MESH,
-    SystemFrame, SystemRow, WIND_ATTRACTOR, WIND_CURL, WIND_SOURCE, WIND_VORTEX, Wind,
+    OBSTACLE_MESH, Obstacle, PARTICLE_RECTANGLE, PARTICLE_STREAK, PARTICLE_STROKE, ROW_OVER,
+    Relation, SHAPE_MESH, SystemFrame, SystemRow, WIND_ATTRACTOR, WIND_CURL, WIND_SOURCE,
+    WIND_VORTEX, Wind,
 };
 
 macro_rules! uses {
@@ -114,6 +115,10 @@ uses! {
     smokes "SMOKES";
     /// Fronts that are drawn as lines.
     front_lines "FRONT_LINES";
+    /// Whole trajectories.
+    strokes "STROKES";
+    /// Clouds that throw shadows on themselves.
+    shades "SHADES";
 }
 
 fn has_matrix(fire: &FireFrame) -> bool {
@@ -201,6 +206,7 @@ impl Uses {
                 || inputs.spreads.iter().any(|one| one.kinds[2] != GRAIN_NONE),
             layers: !inputs.layer_planes.is_empty(),
             covers: inputs.flocks.iter().any(is_drawn) || marks || smokes || front_lines,
+            shades: !inputs.shade_boxes.is_empty(),
             marks,
             smokes,
             front_lines,
@@ -243,6 +249,7 @@ impl Uses {
             rate_spreads: varied || row.ejection_and_light[3] != 0.0,
             streaks: row.kinds[1] == PARTICLE_STREAK,
             rectangles: row.kinds[1] == PARTICLE_RECTANGLE,
+            strokes: row.kinds[1] == PARTICLE_STROKE,
             meshes: row.kinds[0] == SHAPE_MESH,
             light_distances: row.ejection_and_light[2] > 0.0,
             covers: row.kinds[3] & ROW_OVER != 0,

@@ -34,6 +34,7 @@ pub const BUILTIN: &[BuiltinScene] = builtin![
     "bench-streaks",
     "bench-wind-3",
     "billow",
+    "billows",
     "boids-alignment",
     "boids-cohesion",
     "boids-free",
@@ -90,6 +91,7 @@ pub const BUILTIN: &[BuiltinScene] = builtin![
     "two-flocks",
     "two-flocks-predators",
     "wall-spread",
+    "white-sand",
     "wood-grain",
 ];
 

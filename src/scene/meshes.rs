@@ -18,6 +18,9 @@ const MOST_MEMORY: u64 = 512 << 20;
 /// Bytes of an offending line that are shown at most; what is longer is no text for people.
 const MOST_LINE: usize = 1 << 16;
 
+/// What a triangle takes in the tables of births and of surfaces, and while they are made.
+const BYTES_A_TRIANGLE: usize = 300;
+
 /// Meshes that a scene has named up to now.
 #[derive(Default)]
 pub(super) struct Meshes {
@@ -33,6 +36,7 @@ impl Meshes {
     /// Keeps a mesh, if there is room for it.
     fn add(&mut self, name: &str, mesh: Mesh) -> Result<Arc<Mesh>, MeshError> {
         let count = mesh.triangles().len();
+        MeshError::room_for(count, BYTES_A_TRIANGLE, "triangles")?;
         self.triangles += count;
         self.memory_bytes += mesh.memory_bytes();
         if self.triangles > MOST_TRIANGLES {

@@ -26,6 +26,12 @@ pub struct Light {
     pub color: [f32; 3],
     /// Red, green, blue of the light from everywhere, each 0 ..= 1,000. Default 0.2.
     pub ambient: [f32; 3],
+    /// The middle of the box in which clouds throw shadows on themselves, world space. Default the origin.
+    pub shadow_center: [f32; 3],
+    /// Half how wide it is, world units, 0.001 ..= 1,000,000; `None`: they throw none.
+    pub shadow_radius: Option<f32>,
+    /// Cells along each of its sides, 4 ..= 96. Default 32.
+    pub shadow_cells: u32,
 }
 
 /// How light counts while the shutter is open (Reeves 1983, section 3, further work).

@@ -43,9 +43,16 @@ impl<'a> Reader<'a> {
         };
         let Value::Table(entries) = &node.value else {
             let what = format!("`{path}` must be a table, found {}", node.describe());
-            return Err(node
-                .at
-                .error(what, format!("a table with {}", keys_in_words(&fields))));
+            let once = match &node.value {
+                Value::Array(items)
+                    if items.iter().all(|it| matches!(it.value, Value::Table(_))) =>
+                {
+                    "one table, so its header has single brackets: "
+                }
+                _ => "",
+            };
+            let help = format!("{once}a table with {}", keys_in_words(&fields));
+            return Err(node.at.error(what, help));
         };
         if let Some(Entry { key, at, .. }) = entries.iter().find(|e| !keys().any(|k| k == e.key)) {
             let guess = match outer_table(&path, key) {
@@ -230,10 +237,14 @@ impl<'a> Reader<'a> {
     pub(super) fn missing_of(&self, key: &str, names: &[String]) -> SceneError {
         let field = self.field(key);
         let what = format!("`{}` is missing", self.path_of(field.key));
-        let mut help = format!("add {}: {}", example(field), expected(field));
-        if !names.is_empty() {
-            help += &format!("; there are {}", names.join(", "));
-        }
+        let help = match names.first() {
+            None => format!("add {}: {}", example(field), expected(field)),
+            Some(name) => format!(
+                "add `{key} = \"{name}\"`: {}; there are {}",
+                expected(field),
+                names.join(", ")
+            ),
+        };
         self.node.at.error(what, help)
     }
 

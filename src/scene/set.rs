@@ -127,8 +127,8 @@ impl Set {
             return Err(self.at(span).error(what, self.form));
         };
         match tree::value(&self.source, span.clone()) {
-            // Whatever begins with a letter and is not TOML can only be meant as text.
-            Err(_) if first.is_alphabetic() || first == '_' => {
+            // Whatever begins as a word or a path does and is not TOML can only be meant as text.
+            Err(_) if first.is_alphabetic() || first == '_' || is_path(trimmed) => {
                 let value = Value::Text(trimmed.to_owned());
                 let at = self.at(span);
                 Ok(Node { at, value })
@@ -136,6 +136,13 @@ impl Set {
             result => result,
         }
     }
+}
+
+/// Whether it begins as only a file's path does.
+fn is_path(text: &str) -> bool {
+    ["/", "./", "../"]
+        .iter()
+        .any(|start| text.starts_with(start))
 }
 
 /// Makes the change in the tree. Whether the key exists and the value is right is found out when
@@ -148,20 +155,7 @@ pub(super) fn apply(root: &mut Node, set: &Set) -> Result<(), SceneError> {
     };
     let parts = set.parts()?;
     let value = set.value(written)?;
-    if let [(list, at), (item, _), ..] = parts.as_slice()
-        && root.entry(list).is_none()
-        && let Some(Kind::Tables { .. }) = SCENE.iter().find(|it| it.key == *list).map(|it| it.kind)
-    {
-        let what = format!(
-            "the scene has no `[[{list}]]`, and so no `{}`",
-            shortened(item)
-        );
-        let help = format!(
-            "a {} sets keys of tables that the scene has; `motes scenes --knobs` lists them",
-            set.noun
-        );
-        return Err(at.error(what, help));
-    }
+    refuse_unwritten(root, &parts, set.noun)?;
     let mut node = root;
     for (depth, (name, at)) in parts.iter().enumerate() {
         let parent = parts[..depth].iter().map(|part| shortened(part.0));
@@ -169,6 +163,49 @@ pub(super) fn apply(root: &mut Node, set: &Set) -> Result<(), SceneError> {
         node = step(node, name, at, &parent)?;
     }
     *node = value;
+    Ok(())
+}
+
+/// Refuses a path into a list that is not written: it has nothing that could be changed.
+fn refuse_unwritten(root: &Node, parts: &[(&str, At)], noun: &str) -> Result<(), SceneError> {
+    let (mut node, mut fields) = (root, SCENE);
+    for (depth, (name, at)) in parts.iter().enumerate() {
+        if let Value::Array(items) = &node.value {
+            let Some(item) = find(items, name) else { break };
+            node = &items[item];
+            continue;
+        }
+        let Some(field) = fields.iter().find(|field| field.key == *name) else {
+            break;
+        };
+        let path: Vec<String> = parts[..=depth].iter().map(|it| shortened(it.0)).collect();
+        let path = path.join(".");
+        match (node.entry(name), parts.get(depth + 1)) {
+            (Some(entry), _) => node = &entry.node,
+            (None, None) => break,
+            (None, Some((item, _))) => match field.kind {
+                Kind::Tables { .. } | Kind::List { .. } => {
+                    let item = shortened(item);
+                    let what = format!("the scene has no `{path}`, and so no `{item}` of them");
+                    let help = format!(
+                        "a {noun} changes what the scene has: give it one first, in its file; \
+                         `motes scenes --knobs` lists what can be changed"
+                    );
+                    return Err(at.error(what, help));
+                }
+                Kind::Numbers { count: 2.., .. } | Kind::Wholes { .. } => {
+                    let what = format!("`{path}` is not written in the scene, so it has no parts");
+                    let help = format!("set it whole, e.g. {path}={}", field.sample());
+                    return Err(at.error(what, help));
+                }
+                _ => break,
+            },
+        }
+        fields = match field.kind {
+            Kind::Table(fields) | Kind::Tables { fields, .. } => fields,
+            _ => break,
+        };
+    }
     Ok(())
 }
 
@@ -216,6 +253,26 @@ fn step<'a>(
             format!("end the path at `{parent}`"),
         )),
     }
+}
+
+/// Where the value of that path stands, or the deepest one on the way to it; `None` if there is no
+/// first step.
+pub(super) fn place_of<'a>(root: &'a Node, path: &str) -> Option<&'a At> {
+    let mut here = None;
+    let mut node = root;
+    for name in path.split('.') {
+        let next = match &node.value {
+            Value::Array(items) => find(items, name).map(|at| &items[at]),
+            _ => node.entry(name).map(|entry| &entry.node),
+        };
+        let Some(next) = next else { break };
+        node = next;
+        // A list is nowhere in particular; its items are.
+        if !matches!(node.value, Value::Array(_)) || here.is_some() {
+            here = Some(&node.at);
+        }
+    }
+    here
 }
 
 /// The item with this index or, in an array of tables, with this name.

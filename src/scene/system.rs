@@ -85,6 +85,12 @@ pub struct System {
     pub edge_softness: f32,
     /// How light spreads along a streak (RA8). Default conserved.
     pub streak_light: StreakLight,
+    /// How much narrower a stroke is at its end, 0 ..= 1. Default 1: to nothing.
+    pub stroke_taper: f32,
+    /// Straight pieces that a stroke is drawn of, at most, 1 ..= 64. Default 16.
+    pub stroke_pieces: u32,
+    /// How dark shadows of strokes are on the ground, 0 ..= 1. Default 0.
+    pub stroke_shadow: f32,
     /// A particle whose intensity falls below this, 0 ..= 1,000, is killed; `None` means never (2.4, RA7).
     pub intensity_threshold: Option<f32>,
     /// What intensity is (RA7). Default the brightest channel.
@@ -121,6 +127,8 @@ pub enum Shading {
     Flat,
     /// Each is a ball that reflects light in its colour (Reeves 1983, 5).
     LitSphere,
+    /// Each is a part of a cloud: it reflects the light that comes to it through the others.
+    LitCloud,
 }
 
 /// Whose motion the living follow.
@@ -151,6 +159,9 @@ pub enum ParticleShape {
     Rectangle,
     /// A disc drawn along the motion while the shutter is open.
     Streak,
+    /// Its whole trajectory, drawn at once (4.3). It covers, has a lifetime and no drag, and stays where it
+    /// is for the whole run.
+    Stroke,
 }
 
 /// How a streak's light is spread (RA8).

@@ -8,12 +8,22 @@ use super::tracks;
 use super::tree::{Entry, Value};
 use super::{Changing, SceneError, Spread};
 
+/// Whether a whole number of that value would do.
+fn is_within(number: f64, spot: &Spot<'_>) -> bool {
+    match spot.field.kind {
+        Kind::Whole { min, max } => {
+            (min as f64..=max as f64).contains(&number) && number.abs() < 9e15
+        }
+        _ => false,
+    }
+}
+
 /// Reads [`Kind::Whole`].
 pub(super) fn whole(spot: &Spot<'_>) -> Result<u64, SceneError> {
     let (Kind::Whole { min, max }, Value::Whole(value)) = (spot.field.kind, &spot.node.value)
     else {
         return Err(match spot.node.value {
-            Value::Number(number) if number.fract() == 0.0 && number.abs() < 9e15 => {
+            Value::Number(number) if number.fract() == 0.0 && is_within(number, spot) => {
                 let what = format!("`{}` cannot be {}", spot.path, spot.node.describe());
                 let plainly = format!("write {number:.0}, without a point or an exponent");
                 let help = format!("{plainly}: {}", expected(&spot.field));

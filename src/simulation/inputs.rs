@@ -2,14 +2,20 @@
 
 use crate::layout::{
     FLAME_LIGHTS, FLAME_STEPS, FireFrame, FlockFrame, Ground, Ignition, MOST_NEAREST,
-    OBSTACLE_MESH, ROOTS_MESH, SHAPE_CURVE, SHAPE_MESH, SPREAD_BLOCKS, SurfaceFrame, SurfaceLight,
-    SystemFrame, SystemRow,
+    OBSTACLE_MESH, ROOTS_MESH, SHAPE_CURVE, SHAPE_MESH, SPREAD_BLOCKS, ShadeBox, StrokeLight,
+    SurfaceFrame, SurfaceLight, SystemFrame, SystemRow,
 };
 use crate::plan::{FrameInputs, Plan, PlanError};
 
 /// Whether lists of the caller's making are as long as the plan's, or as they can be.
 pub(super) fn check_sizes(plan: &Plan, inputs: &FrameInputs) -> Result<(), PlanError> {
-    let refuse = |message: String, help: String| Err(PlanError { message, help });
+    let refuse = |message: String, help: String| {
+        Err(PlanError {
+            message,
+            help,
+            key: None,
+        })
+    };
     let slots = plan.own_system_count as usize;
     let of_tree = if plan.tree_levels > 0 { slots } else { 0 };
     let lists = [
@@ -87,6 +93,25 @@ pub(super) fn check_sizes(plan: &Plan, inputs: &FrameInputs) -> Result<(), PlanE
         return refuse(
             "inputs with other fires than the plan's".into(),
             "fires and flames of the plan, on its meshes, with a look for each age".into(),
+        );
+    }
+    let is_right = |light: &StrokeLight| light.kinds[0] as usize <= inputs.lamps.len();
+    let has_light = inputs.stroke_lights.len() == usize::from(plan.uses.strokes);
+    if !has_light || !inputs.stroke_lights.iter().all(is_right) {
+        return refuse(
+            "inputs whose light is not that of the plan's strokes".into(),
+            "one record of it if the plan has strokes, with its lamps as listed".into(),
+        );
+    }
+    let has_cells = |shade_box: &ShadeBox| shade_box.kinds[0] == plan.shade_cells;
+    let has_box = inputs.shade_boxes.len() == usize::from(plan.shade_cells > 0);
+    if !has_box || !inputs.shade_boxes.iter().all(has_cells) {
+        return refuse(
+            "inputs with another box of shadows than the plan's".into(),
+            format!(
+                "one of {} cells each way, or none if that is 0",
+                plan.shade_cells
+            ),
         );
     }
     let is_stored = |row: &SystemRow| {

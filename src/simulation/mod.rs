@@ -133,6 +133,7 @@ impl Simulation {
                 help: "give the plan a system, or a change, that has all that these inputs have: \
                        particle shapes, thresholds, bounds, drag, noise, layers and the like"
                     .into(),
+                key: None,
             }));
         }
         check_sizes(&self.plan, &inputs).map_err(SimulationError::Plan)?;

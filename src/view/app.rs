@@ -220,6 +220,7 @@ impl App {
             ui.text_edit_singleline(&mut self.save_path);
             if ui.button("Save as").clicked() {
                 let outcome = self.session.save_as(&PathBuf::from(&self.save_path));
+                let outcome = outcome.map_err(|error| error.to_string());
                 let path = self.save_path.clone();
                 self.did(outcome, |inputs| {
                     Some(format!("wrote {path} and {}", inputs.display()))

@@ -6,6 +6,7 @@
 //! replays bit for bit.
 
 mod app;
+mod error;
 mod knobs;
 mod orbit;
 mod script;
@@ -14,10 +15,11 @@ mod stage;
 mod window;
 
 pub use app::App;
+pub use error::WindowError;
 pub use orbit::Orbit;
 pub use script::{Script, ScriptError, play};
 pub use session::{Session, Source, Told};
-pub use window::{WindowError, open};
+pub use window::open;
 
 use crate::gpu;
 use crate::simulation::AdapterChoice;

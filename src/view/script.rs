@@ -22,6 +22,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use super::app::App;
+use super::error::WindowError;
 use super::session::Told;
 use super::stage::Stage;
 use crate::output::{Rgba8Image, write_png};
@@ -44,7 +45,10 @@ enum Action {
 /// What is done, pass by pass.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Script {
-    actions: Vec<(u32, Action)>,
+    /// Pass, line and what is done in it.
+    actions: Vec<(u32, usize, Action)>,
+    /// The file, for messages.
+    file: String,
 }
 
 /// What is wrong with a script's text: what, and in which line.
@@ -71,7 +75,7 @@ impl Script {
     /// # Errors
     /// A line that is none, or passes out of order.
     pub fn parse(text: &str, file: &str) -> Result<Self, ScriptError> {
-        let mut actions: Vec<(u32, Action)> = Vec::new();
+        let mut actions: Vec<(u32, usize, Action)> = Vec::new();
         for (number, line) in (1..).zip(text.lines()) {
             let line = line.split('#').next().unwrap_or_default().trim();
             if line.is_empty() {
@@ -80,18 +84,25 @@ impl Script {
             let wrong = |what: &str| ScriptError(format!("{file}:{number}: {what}: `{line}`"));
             let (pass, rest) = line.split_once(' ').ok_or_else(|| wrong("no action"))?;
             let pass: u32 = pass.parse().map_err(|_| wrong("no pass"))?;
-            if actions.last().is_some_and(|(last, _)| pass < *last) {
+            if actions.last().is_some_and(|(last, ..)| pass < *last) {
                 return Err(wrong("an earlier pass than the line before"));
             }
             let action = action(rest.trim()).ok_or_else(|| wrong("no action"))?;
-            actions.push((pass, action));
+            actions.push((pass, number, action));
         }
-        Ok(Self { actions })
+        let file = file.to_owned();
+        Ok(Self { actions, file })
+    }
+
+    /// What a line of it brought about.
+    fn placed(&self, line: usize, told: &str) -> Told {
+        let told = told.trim_start_matches("error: ");
+        format!("error: {}:{line}: {told}", self.file)
     }
 
     /// One past the last pass.
     fn end(&self) -> u32 {
-        self.actions.last().map_or(0, |(pass, _)| pass + 1)
+        self.actions.last().map_or(0, |(pass, ..)| pass + 1)
     }
 }
 
@@ -134,7 +145,7 @@ pub fn play(
     script: &Script,
     (device, queue): (wgpu::Device, wgpu::Queue),
     size_px: [u32; 2],
-) -> Result<(), Told> {
+) -> Result<(), WindowError> {
     let format = wgpu::TextureFormat::Rgba8Unorm;
     let [width, height] = size_px;
     let target = device.create_texture(&wgpu::TextureDescriptor {
@@ -157,13 +168,14 @@ pub fn play(
     let frame = Duration::from_secs_f64(1.0 / f64::from(app.session.scene().frame_rate));
     let mut pointer = egui::Pos2::ZERO;
     for pass in 0..script.end() {
-        let now = script.actions.iter().filter(|(at, _)| *at == pass);
+        let now = script.actions.iter().filter(|(at, ..)| *at == pass);
         let mut events = Vec::new();
         let mut after = Vec::new();
-        for (_, action) in now {
+        for (_, line, action) in now {
+            let scene = |told: Told| WindowError::Scene(script.placed(*line, &told));
             match action {
-                Action::Turn(path, value) => app.session.turn(path, value)?,
-                Action::Undo => drop(app.session.undo()?),
+                Action::Turn(path, value) => app.session.turn(path, value).map_err(scene)?,
+                Action::Undo => drop(app.session.undo().map_err(scene)?),
                 Action::Move(x, y) => {
                     pointer = egui::pos2(*x, *y);
                     events.push(egui::Event::PointerMoved(pointer));
@@ -213,14 +225,15 @@ pub fn play(
             }
         }
         if let Some((told, true)) = &app.message {
-            return Err(told.clone());
+            return Err(WindowError::Scene(told.clone()));
         }
     }
     Ok(())
 }
 
 /// Writes what the window shows.
-fn shoot(stage: &Stage, target: &wgpu::Texture, path: &Path) -> Result<(), Told> {
+fn shoot(stage: &Stage, target: &wgpu::Texture, path: &Path) -> Result<(), WindowError> {
+    let machine = |error: &dyn std::fmt::Display| WindowError::Machine(error.to_string());
     let (width, height) = (target.width(), target.height());
     // Rows of copies are whole multiples of 256 bytes.
     let stride = (width * 4).next_multiple_of(256);
@@ -243,9 +256,9 @@ fn shoot(stage: &Stage, target: &wgpu::Texture, path: &Path) -> Result<(), Told>
     stage.queue.submit([encoder.finish()]);
     buffer.map_async(wgpu::MapMode::Read, .., |_| {});
     let waited = stage.device.poll(wgpu::PollType::wait_indefinitely());
-    waited.map_err(|error| error.to_string())?;
+    waited.map_err(|error| machine(&error))?;
     let rows = buffer.slice(..).get_mapped_range();
-    let rows = rows.map_err(|error| error.to_string())?.to_vec();
+    let rows = rows.map_err(|error| machine(&error))?.to_vec();
     let own = (width * 4) as usize;
     let mut pixels: Vec<u8> = rows
         .chunks(stride as usize)
@@ -262,5 +275,5 @@ fn shoot(stage: &Stage, target: &wgpu::Texture, path: &Path) -> Result<(), Told>
         height,
         pixels,
     };
-    write_png(path, &image).map_err(|error| error.to_string())
+    write_png(path, &image).map_err(WindowError::Output)
 }

@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use super::error::WindowError;
 use super::orbit::Orbit;
 use crate::gpu::{GpuDevice, GpuOptions};
 use crate::output::write_whole;
@@ -320,15 +321,13 @@ impl Session {
     ///
     /// # Errors
     /// It cannot be written.
-    pub fn save_as(&self, path: &Path) -> Result<PathBuf, Told> {
+    pub fn save_as(&self, path: &Path) -> Result<PathBuf, WindowError> {
         if path.extension().is_none_or(|ending| ending != "toml") {
-            return Err(format!("{}: a scene's file ends in .toml", path.display()));
+            let told = format!("error: {}: a scene's file ends in .toml", path.display());
+            return Err(WindowError::Scene(told));
         }
-        let text = self
-            .source
-            .loader
-            .text(&self.source.scene)
-            .map_err(|e| e.to_string())?;
+        let text = self.source.loader.text(&self.source.scene);
+        let text = text.map_err(|error| WindowError::Scene(error.to_string()))?;
         let inputs = path.with_extension("inputs");
         let sets: String = self
             .source
@@ -343,8 +342,8 @@ impl Session {
             self.frame() + 1
         );
         write_whole(&inputs, (head + &self.recording.to_text()).as_bytes())
-            .map_err(|e| e.to_string())?;
-        write_whole(path, text.as_bytes()).map_err(|e| e.to_string())?;
+            .map_err(WindowError::Output)?;
+        write_whole(path, text.as_bytes()).map_err(WindowError::Output)?;
         Ok(inputs)
     }
 

@@ -10,22 +10,14 @@ use winit::window::{Window, WindowId};
 
 use super::app::App;
 use super::device_of;
-use super::session::{Session, Source, Told};
+use super::error::WindowError;
+use super::session::{Session, Source};
 use super::stage::Stage;
 use crate::gpu::GpuDevice;
 use crate::scene::Loader;
 
 /// How often the scene's file is looked at.
 const WATCH_EVERY: Duration = Duration::from_millis(300);
-
-/// Why there is no window.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum WindowError {
-    /// The scene is at fault.
-    Scene(Told),
-    /// There is no display, no adapter that shows on it, or it fails.
-    Machine(Told),
-}
 
 /// What to open; the adapter's name contains `adapter`, whatever the case.
 struct Wish {

@@ -161,6 +161,68 @@ fn a_film_that_does_not_fit_on_the_disk_is_no_film() {
     }
 }
 
+/// A wavy sheet of `2 * (side - 1)^2` triangles.
+fn sheet(side: usize) -> String {
+    let mut text = String::new();
+    for (y, x) in (0..side).flat_map(|y| (0..side).map(move |x| (y, x))) {
+        text += &format!("v {x} {y} {}\n", (x + y) % 7);
+    }
+    for (y, x) in (1..side).flat_map(|y| (1..side).map(move |x| (y, x))) {
+        let [a, b] = [(y - 1) * side + x, y * side + x];
+        text += &format!("f {a} {} {b}\nf {} {} {b}\n", a + 1, a + 1, b + 1);
+    }
+    text
+}
+
+#[test]
+fn want_of_memory_for_meshes_is_told_and_not_a_crash() {
+    let here = Workshop::new();
+    here.write("sheet.obj", sheet(250));
+    let scene = |rest: &str| {
+        format!(
+            r#"
+frames = 2
+[image]
+width = 64
+height = 36
+[camera]
+position = [0, 0, 900]
+target = [125, 125, 0]
+{rest}"#
+        )
+    };
+    let fire = "[[fire]]\nname = \"straw\"\n[fire.spread]\nmesh = \"sheet.obj\"\n\
+                ignition = [{ position = [125, 125, 0] }]\n";
+    let surface = "[[system]]\nname = \"dust\"\ninitial_mean_parts = 5\n\
+                   generation_shape = { kind = \"mesh\", mesh = \"sheet.obj\" }\n\
+                   speed = 0.1\nlifetime = 9\ncolor = [1, 1, 1]\nsize = 1\n\
+                   [[surface]]\nmesh = \"sheet.obj\"\n";
+    for (name, rest) in [("fire.toml", fire), ("surface.toml", surface)] {
+        here.write(name, scene(rest));
+        // From what is not enough to read the file to what is enough for all.
+        let (mut wanted, mut sufficed) = (0, false);
+        for kib in (40_000..1_000_000).step_by(20_000) {
+            let run = format!("$MOTES render {name} --adapter cpu -o all.gif 2>&1");
+            let output = shell(&here, &[], &format!("ulimit -v {kib}; {run}"));
+            let ended = Ended::of(Ok(output));
+            let told = &ended.stdout;
+            match ended.code {
+                0 => {
+                    sufficed = true;
+                    break;
+                }
+                3 if told.contains("memory") => wanted += 1,
+                // Not even the program starts, or its threads.
+                code if wanted == 0 && kib < 100_000 => {
+                    println!("{name} in {kib} KiB: {code}, {told}");
+                }
+                code => panic!("{name} in {kib} KiB: {code}, {told}"),
+            }
+        }
+        assert!(sufficed && wanted > 0, "{name}: {wanted}");
+    }
+}
+
 #[test]
 fn want_of_memory_is_told_and_not_a_crash() {
     let here = Workshop::new();

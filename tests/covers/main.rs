@@ -10,7 +10,7 @@ mod twins;
 use common::hash;
 use glam::{Vec2, Vec3, Vec4};
 use motes::cpu::draw::cover::{Pixels, cover};
-use motes::cpu::shape::{Look, disc_of, segment_of, square_of, triangle_of};
+use motes::cpu::shape::{Look, disc_of, segment_of, square_of, stroke_of, triangle_of};
 use motes::layout::{COVER_NONE, Cover, Frame};
 use motes::plan::{FrameInputs, Plan};
 
@@ -27,6 +27,7 @@ fn plan_for(width: u32, height: u32, records: u32) -> (Plan, FrameInputs) {
     plan.uses.triangles = true;
     plan.uses.streaks = true;
     plan.uses.rectangles = true;
+    plan.uses.strokes = true;
     let inputs = plan.inputs(0);
     (plan, inputs)
 }
@@ -101,13 +102,18 @@ fn anything(count: usize, width: u32, height: u32, seed: u32) -> Vec<Cover> {
             };
             let (a, b, c) = (place(), place(), place());
             let size = random.unit().powi(3) * 0.4 * reach;
-            match (random.unit() * 7.0) as u32 {
+            match (random.unit() * 8.0) as u32 {
                 0 => disc_of(a.x, a.y, size, 0.0, &look),
                 1 => disc_of(a.x, a.y, size, random.unit(), &look),
                 2 => square_of(a.x, a.y, size, &look),
                 3 => segment_of(a, a + (b - a) * 0.3, 0.1 * size, &look),
                 4 => triangle_of(a, a + (b - a) * 0.2, a + (c - a) * 0.2, &look),
                 5 => triangle_of(a, b, c, &look),
+                6 => {
+                    let cuts = [random.within(-2.0, 2.0), random.within(-2.0, 5.0)];
+                    let halves = [0.1 * size, 0.1 * random.unit() * size];
+                    stroke_of(a, a + (b - a) * 0.2, halves, cuts, &look)
+                }
                 _ => Cover::default(),
             }
         })

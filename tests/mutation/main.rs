@@ -39,7 +39,7 @@ const PROBE_ROUNDS: u32 = 1000;
 
 /// Files not all of whose changes have a trial that sees them or a reason yet: only the whole run
 /// tries them.
-const OWED: [&str; 66] = [
+const OWED: [&str; 71] = [
     "draw/smoke",
     "lib/layout",
     "scan/survivors",
@@ -83,6 +83,11 @@ const OWED: [&str; 66] = [
     "draw/boid_trails",
     "draw/marks",
     "draw/front_lines",
+    "draw/strokes",
+    "lib/stroke",
+    "draw/deposit",
+    "draw/shade",
+    "lib/shade",
     "draw/planet",
     "draw/hide",
     "draw/splat",

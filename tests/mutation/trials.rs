@@ -288,6 +288,8 @@ pub(crate) fn trials() -> Vec<Trial> {
             LARGE,
         ),
         Trial::new("covering", layered(turning(&covering(), 4)), 64, LARGE),
+        Trial::new("strokes", unchanging(&all_kinds_of_strokes(), 4), 64, LARGE),
+        Trial::new("clouds", unchanging(&all_kinds_of_clouds(), 3), 64, LARGE),
         Trial::new("tree", unchanging(&rich_tree(), 14), 24, LARGE),
         Trial::new("dropped systems", unchanging(&crowded_tree(), 5), 64, LARGE),
         Trial::new("planet", unchanging(&lit_planet(), 7), 64, LARGE),

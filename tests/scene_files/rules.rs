@@ -188,7 +188,7 @@ fn r11_schema_has_mean_and_var_for_all_seven_attributes() {
     );
     assert!(matches!(
         kind("particle_shape").kind,
-        Kind::Choice(["sphere", "rectangle", "streak"])
+        Kind::Choice(["sphere", "rectangle", "streak", "stroke"])
     ));
 }
 

@@ -33,6 +33,7 @@ fn walls_reflect_the_light_as_lambert_has_it() {
         direction: [0.0, 3.0, 4.0],
         color: [0.5, 1.0, 0.25],
         ambient: [0.125, 0.0, 0.25],
+        ..text.light
     };
     let drawn = drawn(&text);
     for pixel in &drawn.surfaces {
@@ -74,6 +75,7 @@ fn balls_look_round_and_cubes_do_not() {
             direction: [0.0, 0.0, 1.0],
             color: [1.0; 3],
             ambient: [0.0; 3],
+            ..scene.light
         };
         drawn(&scene)
     };
@@ -118,6 +120,7 @@ fn both_sides_of_a_triangle_are_seen() {
             direction: [0.0, 0.0, 1.0],
             color: [1.0; 3],
             ambient: [0.0; 3],
+            ..scene.light
         };
         let pixel = drawn(&scene).surfaces[Drawn::at(33, 44)];
         assert!((pixel[0] - 0.5).abs() < 1e-5, "{pixel:?}");

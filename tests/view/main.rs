@@ -300,8 +300,12 @@ fn wrong_scripts_and_scenes_are_told_with_their_place() {
         ("0 key Spade\n", "play.txt:1:"),
         ("0 shot a.jpg\n", "play.txt:1:"),
         ("0 move 1\n", "play.txt:1:"),
-        ("0 turn system.jat.drag=1\n", "jet"),
-        ("0 turn seed=4\n", "seed"),
+        (
+            "\n0 turn system.jat.drag=1\n",
+            "play.txt:2: there is no `jat`",
+        ),
+        ("0 turn seed=4\n", "play.txt:1: "),
+        ("0 shot /proc/x.png\n", "error: /proc/x.png: "),
     ] {
         std::fs::write(folder.path().join("play.txt"), script).expect("it is written");
         let output = motes(folder.path(), &["view", "jet.toml", "--script", "play.txt"]);
@@ -314,6 +318,7 @@ fn wrong_scripts_and_scenes_are_told_with_their_place() {
         vec!["view", "jet.toml", "--script", "none.txt"],
         vec!["view", "jet.toml", "--window", "0x0"],
         vec!["view", "jet.toml", "--set", "frames=x"],
+        vec!["view", "jet.toml", "--adapter", "cpu"],
     ] {
         let output = motes(folder.path(), &arguments);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}");

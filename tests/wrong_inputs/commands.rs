@@ -132,7 +132,85 @@ fn wrong_changes_are_answered_with_the_argument() {
                 "a whole number from 1",
             ],
         ),
+        // More than there may be is not what would be right.
+        set(
+            "frames=1e9",
+            &["cannot be the number 1000000000", "as in `frames = 120`"],
+        ),
+        set(
+            "wind.0.strength=2",
+            &[
+                "no `wind`, and so no `0`",
+                "--set wind.0.strength=2\n   |       ^^^^\n",
+            ],
+        ),
+        set("flock.x.count=2", &["no `flock`, and so no `x`", "--knobs"]),
+        set("surface.0.mesh=../x.obj", &["no `surface`, and so no `0`"]),
+        set(
+            "camera.up.1=2",
+            &[
+                "`camera.up` is not written",
+                "set it whole, e.g. camera.up=[",
+            ],
+        ),
+        set(
+            "system.sparks.generation_shape={ kind = \"mesh\", mesh = \"cube\", mesh = 1 }",
+            &["--set system.sparks.generation_shape="],
+        ),
         Row::render(&["--set"], &["--set <path.to.key=value>"]),
+    ]);
+}
+
+#[test]
+fn what_a_plan_refuses_is_told_with_its_place() {
+    let flock = |count: &str| {
+        format!(
+            "[camera]\nposition = [0, 0, 5]\ntarget = [0, 0, 0]\n\n[[flock]]\nname = \"crows\"\n\
+             count = {count}\ndimensions = 3\nperception_radius = 100000\n\
+             region = {{ min = [0, 0, 0], max = [9, 9, 9] }}\n\
+             [[flock.relation]]\nkind = \"flock\"\n"
+        )
+    };
+    let planet = "[planet]\ncenter = [0, 0, 0]\nradius = 1\n";
+    let flat = format!(
+        "[camera]\nposition = [0, 0, 5]\ntarget = [0, 0, 0]\nprojection = \"orthographic\"\n\
+         view_height = 2\n{planet}{}",
+        &flock("9")[flock("9").find("[[flock]]").expect("it is there")..]
+    );
+    all_are_refused(&[
+        Row::new(
+            &["render", "w.toml", "--adapter", "cpu", "-o", "a.gif"],
+            &[
+                "would look at 1000000000000 others",
+                "w.toml:7:9",
+                "a smaller `count`",
+            ],
+        )
+        .file("w.toml", flock("1000000").as_str()),
+        Row::new(
+            &[
+                "render",
+                "w.toml",
+                "--adapter",
+                "cpu",
+                "-o",
+                "a.gif",
+                "--set",
+                "flock.crows.count=1000000",
+            ],
+            &["would look at", "| --set flock.crows.count=1000000\n"],
+        )
+        .file("w.toml", flock("9").as_str()),
+        Row::new(
+            &["check", "w.toml"],
+            &["a planet and an orthographic camera", "w.toml:4:14"],
+        )
+        .file("w.toml", flat.as_str()),
+        Row::new(
+            &["bench", "w.toml"],
+            &["a planet and an orthographic camera", "w.toml:4:14"],
+        )
+        .file("w.toml", flat.as_str()),
     ]);
 }
 

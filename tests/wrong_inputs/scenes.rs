@@ -108,7 +108,11 @@ fn wrong_keys_are_answered_with_those_that_there_are() {
         spoiled(
             "[image]",
             "[[image]]",
-            &["`image` must be a table", "w.toml:5:1"],
+            &[
+                "`image` must be a table",
+                "w.toml:5:1",
+                "its header has single brackets",
+            ],
         ),
         spoiled(
             "radius",

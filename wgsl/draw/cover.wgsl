@@ -24,6 +24,7 @@ const STREAKS: bool = #{STREAKS};
 const TRIANGLES: bool = #{TRIANGLES};
 const CONES: bool = #{CONES};
 const MARKS: bool = #{MARKS};
+const STROKES: bool = #{STROKES};
 // Whether any is mirrored.
 const MIRRORS: bool = #{MIRRORS};
 // Whether surfaces hide what is behind them.
@@ -102,7 +103,7 @@ fn cover(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let fours_across = tiling.tile_px / 4u;
     let x = i32((tile % tiling.across) * tiling.tile_px + (in_tile % fours_across) * 4u);
     let y = i32((tile / tiling.across) * tiling.tile_px + in_tile / fours_across);
-    let kinds = Kinds(RECTANGLES, STREAKS, TRIANGLES, MIRRORS, CONES, MARKS);
+    let kinds = Kinds(RECTANGLES, STREAKS, TRIANGLES, MIRRORS, CONES, MARKS, STROKES);
     let width = i32(frame.width);
     let near_a = nearness_at(x, y);
     let near_b = nearness_at(x + 1, y);

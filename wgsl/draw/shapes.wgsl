@@ -1,8 +1,8 @@
 // shapes: what of the particles covers, as it is seen.
 //
 // Reeves 1983, 5: particles as single objects that reflect light. One invocation a particle of one
-// page; those that only glow, are out of sight or in another layer leave a record of nothing.
-// Reads: frame, system_frames, rows, counts, particles, layer_planes. Writes: covers, cover_counts
+// page; those that only glow, are strokes, out of sight or in another layer leave a record of nothing.
+// Reads: frame, shade_box, system_frames, rows, counts, particles, layer_planes, shade_light. Writes: covers, cover_counts
 // (word 0: how many records are of something, by atomic adds; word 1: how many there are).
 // Invariant: record i is that of particle i, so records are in the order of identities.
 
@@ -10,10 +10,11 @@
 #import motes::exact::{dot3, f32_of_u32, less}
 #import motes::reach::is_visible
 #import motes::layout::{
-    COVERS_OF_PARTICLES, COVERS_SEEN, COVER_NONE, Counts, Cover, Frame, Particle, ROW_LIT_SPHERE, ROW_OVER, ROW_SOFTNESS_SHIFT,
-    SystemFrame, SystemRow,
+    COVERS_OF_PARTICLES, COVERS_SEEN, COVER_NONE, Counts, Cover, Frame, PARTICLE_STROKE, Particle, ROW_LIT_CLOUD,
+    ROW_LIT_SPHERE, ROW_OVER, ROW_SOFTNESS_SHIFT, ShadeBox, SystemFrame, SystemRow,
 }
 #import motes::particle::{age_of, row_index, slot_of}
+#import motes::shade::{around, corner_share, is_cell}
 #import motes::shape::{Look, disc_of, segment_of, square_of}
 #import motes::sprite::{Features, Sprite, next_layer, sprite_of}
 
@@ -22,6 +23,10 @@ const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 const STREAKS: bool = #{STREAKS};
 const RECTANGLES: bool = #{RECTANGLES};
 const RATE_SPREADS: bool = #{RATE_SPREADS};
+// Whether any is seen as its whole trajectory.
+const STROKES: bool = #{STROKES};
+// Whether clouds throw shadows on themselves.
+const SHADES: bool = #{SHADES};
 // Whether the picture has layers.
 const LAYERS: bool = #{LAYERS};
 
@@ -41,6 +46,8 @@ var<immediate> pages: Pages;
 @group(0) @binding(5) var<storage, read> layer_planes: array<vec4<f32>>;
 @group(0) @binding(6) var<storage, read_write> covers: array<Cover>;
 @group(0) @binding(7) var<storage, read_write> cover_counts: array<atomic<u32>>;
+@group(0) @binding(8) var<uniform> shade_box: ShadeBox;
+@group(0) @binding(9) var<storage, read> shade_light: array<u32>;
 
 // The layer, from 1, that a world place is in.
 fn layer_of(world: vec3<f32>) -> u32 {
@@ -52,11 +59,35 @@ fn layer_of(world: vec3<f32>) -> u32 {
     return select(layer, frame.layer_plane_count + 1u, layer == 0u);
 }
 
+// How much of the light comes to a world place: all of it outside the box.
+fn light_at(world: vec3<f32>) -> f32 {
+    let near = around(shade_box, world);
+    var sum = 0.0f;
+    for (var corner = 0u; corner < 8u; corner += 1u) {
+        let cell = near.cell + vec3<i32>(vec3<u32>(corner, corner >> 1u, corner >> 2u) & vec3<u32>(1u));
+        var here = 1.0f;
+        if is_cell(shade_box, cell) {
+            let place = (u32(cell.z) * shade_box.kinds.x + u32(cell.y)) * shade_box.kinds.x + u32(cell.x);
+            here = bitcast<f32>(shade_light[place]);
+        }
+        sum += here * corner_share(near.part, corner);
+    }
+    return sum;
+}
+
 fn cover_of(sprite: Sprite, flags: u32) -> Cover {
     let begin = vec2<f32>(sprite.start.x, sprite.start.y);
     let end = vec2<f32>(sprite.end.x, sprite.end.y);
     let way = end - begin;
     var look = Look(sprite.start.depth, sprite.surface, vec3<f32>(0.0f));
+    if (flags & ROW_LIT_CLOUD) != 0u {
+        var part = 1.0f;
+        if SHADES {
+            part = light_at(sprite.world);
+        }
+        let light = frame.ambient_color.xyz + frame.light_color.xyz * part;
+        look.color = vec4<f32>(sprite.surface.xyz * light, sprite.surface.w);
+    }
     if RECTANGLES && sprite.square {
         return square_of(begin.x, begin.y, sprite.radius_px, look);
     }
@@ -88,7 +119,8 @@ fn shapes(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let features = Features(STREAKS, RECTANGLES, RATE_SPREADS, false);
     let sprite = sprite_of(frame, system_frames[slot], row, particle, features);
     let here = !LAYERS || frame.layer == 0u || layer_of(sprite.world) == frame.layer;
-    let is_seen = (row.kinds.w & ROW_OVER) != 0u && here && less(0.0f, sprite.surface.w)
+    let is_stroke = STROKES && row.kinds.y == PARTICLE_STROKE;
+    let is_seen = (row.kinds.w & ROW_OVER) != 0u && !is_stroke && here && less(0.0f, sprite.surface.w)
         && is_visible(frame, sprite.start, sprite.end, sprite.radius_px);
     var cover = Cover(vec4<u32>(0u), vec4<u32>(0u, 0u, COVER_NONE, 0u), vec4<u32>(0u), vec4<u32>(0u));
     if is_seen {

@@ -16,7 +16,8 @@
 }
 #import motes::reach::{center_of, overlap}
 #import motes::layout::{
-    COVER_CONE, COVER_MIRRORED, COVER_NONE, COVER_SEGMENT, COVER_SLANTED, COVER_SOFT_DISC, COVER_SQUARE, COVER_TRIANGLE, COVER_TWIN, Cover,
+    COVER_CONE, COVER_MIRRORED, COVER_NONE, COVER_SEGMENT, COVER_SLANTED, COVER_SOFT_DISC, COVER_SQUARE,
+    COVER_STROKE, COVER_TRIANGLE, COVER_TWIN, Cover, STROKE_UNCUT,
 }
 
 // What shows less than this of itself is hidden.
@@ -43,6 +44,7 @@ struct Kinds {
     mirrors: bool,
     cones: bool,
     slants: bool,
+    strokes: bool,
 }
 
 // A pixel on the way from near to far: light that is seen, and how much of the rest shows through.
@@ -63,13 +65,15 @@ fn far_to_near(cover: Cover) -> u32 {
 fn bounds_here(cover: Cover, width: u32, height: u32) -> vec4<i32> {
     let points = bitcast<vec4<f32>>(cover.points);
     let shape = bitcast<vec2<f32>>(cover.shape.xy);
-    let is_segment = cover.shape.z == COVER_SEGMENT || cover.shape.z == COVER_CONE;
+    let is_stroke = cover.shape.z == COVER_STROKE;
+    let is_segment = cover.shape.z == COVER_SEGMENT || cover.shape.z == COVER_CONE || is_stroke;
     let end = select(points.xy, points.zw, is_segment);
     let largest = max_exact(
         max_exact(abs(points.x), abs(points.y)),
         max_exact(max_exact(abs(end.x), abs(end.y)), shape.x),
     );
-    let reach = shape.x + largest * ROUNDING;
+    let of_stroke = max_exact(max_exact(shape.x, shape.y), 0.5f) + 0.5f;
+    let reach = select(shape.x, of_stroke, is_stroke) + largest * ROUNDING;
     var low = vec2<f32>(min_exact(points.x, end.x), min_exact(points.y, end.y)) - vec2<f32>(reach);
     var high = vec2<f32>(max_exact(points.x, end.x), max_exact(points.y, end.y)) + vec2<f32>(reach);
     if cover.shape.z == COVER_TRIANGLE {
@@ -250,6 +254,35 @@ fn light_on_cone(cover: Cover, light_from: vec3<f32>, x: f32, y: f32) -> f32 {
     return clamp_exact(dot3(normal, light_from), 0.0f, 1.0f);
 }
 
+// Whether a place is ahead of a line across a direction: that of the number, -2 to 2, which says where
+// the direction meets a square.
+fn is_ahead(cut: f32, away: vec2<f32>) -> bool {
+    let right = 1.0f - abs(cut);
+    let down = select(1.0f - abs(right), abs(right) - 1.0f, less(cut, 0.0f));
+    return !less(away.x * right + away.y * down, 0.0f);
+}
+
+// How much of the pixel a piece of a stroke covers. Pieces that follow each other are cut off at one
+// line, so that a pixel's centre is in one of them; where nothing is cut off, the end is round. What is
+// thinner than a pixel is that much clearer.
+fn coverage_of_stroke(cover: Cover, x: f32, y: f32) -> f32 {
+    let points = bitcast<vec4<f32>>(cover.points);
+    let half = bitcast<vec2<f32>>(cover.shape.xy);
+    let cuts = bitcast<vec2<f32>>(cover.lit.xy);
+    let axis = points.zw - points.xy;
+    let from_begin = vec2<f32>(x, y) - points.xy;
+    let from_end = vec2<f32>(x, y) - points.zw;
+    let inverse = reciprocal(axis.x * axis.x + axis.y * axis.y);
+    let along = clamp_exact((from_begin.x * axis.x + from_begin.y * axis.y) * inverse, 0.0f, 1.0f);
+    let aside = from_begin - axis * along;
+    let half_px = half.x + (half.y - half.x) * along;
+    let distance = square_root(aside.x * aside.x + aside.y * aside.y);
+    let within = clamp_exact(max_exact(half_px, 0.5f) + 0.5f - distance, 0.0f, 1.0f);
+    let is_before = less(cuts.x, STROKE_UNCUT) && !is_ahead(cuts.x, from_begin);
+    let is_past = less(cuts.y, STROKE_UNCUT) && is_ahead(cuts.y, from_end);
+    return select(within * min_exact(2.0f * half_px, 1.0f), 0.0f, is_before || is_past);
+}
+
 // How much of the pixel it covers, 0 to 1.
 fn coverage_at(cover: Cover, kinds: Kinds, x: i32, y: i32) -> f32 {
     let points = bitcast<vec4<f32>>(cover.points);
@@ -268,6 +301,9 @@ fn coverage_at(cover: Cover, kinds: Kinds, x: i32, y: i32) -> f32 {
     if kinds.cones && kind == COVER_CONE {
         let outside = distance_from_cone(points, shape.x - 0.5f, center_x, center_y);
         return clamp_exact(0.5f - outside, 0.0f, 1.0f);
+    }
+    if kinds.strokes && kind == COVER_STROKE {
+        return coverage_of_stroke(cover, center_x, center_y);
     }
     var distance: f32;
     if kinds.segments && kind == COVER_SEGMENT {
@@ -317,7 +353,8 @@ fn part_here(cover: Cover, kinds: Kinds, light_from: vec3<f32>, x: i32, y: i32) 
     if kinds.cones && cover.shape.z == COVER_CONE {
         return Part(alpha, light_on_cone(cover, light_from, f32_of_i32(x) + 0.5f, f32_of_i32(y) + 0.5f));
     }
-    return Part(alpha, light_on(cover, light_from, x, y));
+    let light = light_on(cover, light_from, x, y);
+    return Part(alpha, select(light, 0.0f, kinds.strokes && cover.shape.z == COVER_STROKE));
 }
 
 // The same wherever it is drawn. Two that overlap are the same whichever is in front.

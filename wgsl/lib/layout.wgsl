@@ -46,9 +46,16 @@ const SHAPE_RINGS: u32 = 9u;
 const PARTICLE_SPHERE: u32 = 0u;
 const PARTICLE_RECTANGLE: u32 = 1u;
 const PARTICLE_STREAK: u32 = 2u;
+const PARTICLE_STROKE: u32 = 3u;
 // SystemRow.kinds.z: how light is spread along a streak.
 const STREAK_CONSERVED: u32 = 0u;
 const STREAK_CONSTANT: u32 = 1u;
+// The same of a stroke: the most pieces that it is drawn of; above that, in 4,095ths, what its width
+// loses to its end, and how dark its shadow is.
+const STROKE_PIECES_MASK: u32 = 0xffu;
+const STROKE_TAPER_SHIFT: u32 = 8u;
+const STROKE_SHADOW_SHIFT: u32 = 20u;
+const STROKE_SHARE_MASK: u32 = 0xfffu;
 // SystemRow.kinds.w: the axis of the ejection cone (up if neither), angles instead of solid angles
 // uniform, intensity as luminance, births spread over the frame.
 const ROW_OUTWARD: u32 = 1u;
@@ -56,10 +63,11 @@ const ROW_AROUND: u32 = 2u;
 const ROW_ANGLE_UNIFORM: u32 = 4u;
 const ROW_LUMINANCE: u32 = 8u;
 const ROW_WITHIN_FRAME: u32 = 16u;
-// Particles cover what is behind them; they are shaded as spheres; how soft their edge is stands
-// above that bit, in 65,535ths.
+// Particles cover what is behind them; they are shaded as spheres; as parts of a cloud; how soft their
+// edge is stands above that bit, in 65,535ths.
 const ROW_OVER: u32 = 32u;
 const ROW_LIT_SPHERE: u32 = 64u;
+const ROW_LIT_CLOUD: u32 = 128u;
 const ROW_SOFTNESS_SHIFT: u32 = 16u;
 
 // What the processor knows of one system in this frame.
@@ -107,23 +115,26 @@ const SYSTEM_PER_AREA: u32 = 2u;
 const SYSTEM_PARABOLIC: u32 = 4u;
 // What it bears are systems.
 const SYSTEM_BEARS_SYSTEMS: u32 = 8u;
+// Its particles stay where they are born, for what is seen of one is its whole trajectory.
+const SYSTEM_STILL: u32 = 16u;
 
 // Something that covers what is behind it, as it is seen: a family's shapes stage writes one for
 // each that it has, in the order of their identities. Floats are bits.
 struct Cover {
-    // x and y in pixels of two points: a triangle's first two corners, a segment's ends, the centre
-    // of a cone's base and its apex; a disc's or square's centre, then for shading the reciprocal of
+    // x and y in pixels of two points: a triangle's first two corners, the ends of a segment or
+    // of a piece of a stroke, the centre of a cone's base and its apex; a disc's or square's centre, then for shading the reciprocal of
     // a disc's radius.
     points: vec4<u32>,
     // A triangle's third corner. Of a disc or segment, how far it reaches from its centre or axis,
     // pixels, and the reciprocal of its edge's width; of a square, half its width; of a cone, how far
-    // its base reaches, and how much its axis points to the viewer, -1 to 1. Then what it is
-    // (COVER_...), and its depth along the view axis.
+    // its base reaches, and how much its axis points to the viewer, -1 to 1; of a piece of a stroke,
+    // half its width at both ends. Then what it is (COVER_...), and its depth along the view axis.
     shape: vec4<u32>,
     // Colour in red, green, blue, before exposure; alpha, 0 to 1.
     color: vec4<u32>,
-    // What the light adds to the colour of a sphere where it falls straight; on which side of the
-    // picture it is drawn (COVER_PLAIN and what follows it).
+    // What the light adds to the colour of a sphere where it falls straight; of a piece of a stroke,
+    // the directions that cut it off at both ends (motes::cover); on which side of the picture it is
+    // drawn (COVER_PLAIN and what follows it).
     lit: vec4<u32>,
 }
 
@@ -135,8 +146,10 @@ const COVERS_OF_BOIDS: u32 = 2u;
 const COVERS_OF_MARKS: u32 = 3u;
 const COVERS_OF_FRONTS: u32 = 4u;
 const COVERS_OF_SMOKE: u32 = 5u;
+const COVERS_OF_STROKES: u32 = 6u;
 // Cover.shape.z: nothing, a disc, a disc with a smooth edge of its own width, a square along the
-// axes, a segment with round ends, a triangle, a cone with a round base.
+// axes, a segment with round ends, a triangle, a cone with a round base, a disc seen at a slant, a
+// piece of a stroke.
 const COVER_NONE: u32 = 0u;
 const COVER_DISC: u32 = 1u;
 const COVER_SOFT_DISC: u32 = 2u;
@@ -145,6 +158,9 @@ const COVER_SEGMENT: u32 = 4u;
 const COVER_TRIANGLE: u32 = 5u;
 const COVER_CONE: u32 = 6u;
 const COVER_SLANTED: u32 = 7u;
+const COVER_STROKE: u32 = 8u;
+// Cover.lit of a piece of a stroke: nothing is cut off where it ends.
+const STROKE_UNCUT: f32 = 4.0f;
 // Cover.lit.w: drawn where it is; at the other side of the picture, mirrored; at both sides at once,
 // which overlap.
 const COVER_PLAIN: u32 = 0u;
@@ -566,6 +582,36 @@ struct SurfaceLight {
     kinds: vec4<u32>,
     // Surfaces.
     counts: vec4<u32>,
+}
+
+// A box of cells along the light, as many each way.
+struct ShadeBox {
+    // From world space to cells: rows of three and offsets. Across the light, across that, along it from
+    // where it comes.
+    across: vec4<f32>,
+    aside: vec4<f32>,
+    along: vec4<f32>,
+    // x: the inverse of a cell's cross-section.
+    look: vec4<f32>,
+    // x: cells each way.
+    kinds: vec4<u32>,
+}
+
+// What falls on strokes, and what their shadows fall on.
+struct StrokeLight {
+    // What the places of lamps are counted from.
+    lamps_from: vec4<f32>,
+    // The ground's unit normal, and its distance along that from the world's origin.
+    ground: vec4<f32>,
+    // The way that the shadow of a place goes for each unit that it is above the ground, against its
+    // sign.
+    shade_from: vec4<f32>,
+    // What the ground sends back where no light comes straight.
+    shade_color: vec4<f32>,
+    // That of the ground.
+    middle: vec4<f32>,
+    // Lamps; 1 if shadows fall on a ground; 1 if there is a ground.
+    kinds: vec4<u32>,
 }
 
 // A point light that stands for flames.

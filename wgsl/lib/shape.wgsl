@@ -13,7 +13,7 @@
 #import motes::reach::{PI, edged_radius}
 #import motes::layout::{
     COVER_CONE, COVER_DISC, COVER_MIRRORED, COVER_NONE, COVER_SEGMENT, COVER_SLANTED, COVER_SOFT_DISC,
-    COVER_SQUARE,
+    COVER_SQUARE, COVER_STROKE,
     COVER_TRIANGLE, COVER_TWIN, Cover, Frame,
 }
 
@@ -120,6 +120,14 @@ fn cone_of(base: vec2<f32>, apex: vec2<f32>, radius_px: f32, ahead: f32, look: L
         look.color.w * part * part,
         look,
     );
+}
+
+// A piece of a stroke, half as wide at its ends as `half_px` says, cut off there across the directions of
+// those numbers.
+fn stroke_of(begin: vec2<f32>, end: vec2<f32>, half_px: vec2<f32>, cuts: vec2<f32>, look: Look) -> Cover {
+    var own = look;
+    own.lit = vec3<f32>(cuts, 0.0f);
+    return record(COVER_STROKE, vec4<f32>(begin, end), half_px, look.color.w, own);
 }
 
 fn nothing_of() -> Cover {

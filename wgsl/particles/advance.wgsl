@@ -2,6 +2,7 @@
 //
 // Reeves 1983, 2.3, in the order of the text: position += velocity, then
 // velocity += acceleration. Drag pulls the velocity toward that of the wind where the particle is.
+// What is seen as its whole trajectory stays where it was born.
 // One invocation a particle of the source page; a particle is written by the dispatch of the one
 // target page that its place falls in.
 // Reads: frame, system_frames, counts, word_ranks, particles, winds.
@@ -11,7 +12,7 @@
 
 #import motes::dispatch::linear_index
 #import motes::exact::bits_of
-#import motes::layout::{Counts, Frame, Particle, SystemFrame, Wind}
+#import motes::layout::{Counts, Frame, Particle, SYSTEM_STILL, SystemFrame, Wind}
 #import motes::particle::{from_words, slot_of, to_words}
 #import motes::projection::world_of
 #import motes::wind::{Kinds, wind_of}
@@ -26,6 +27,8 @@ const FLOWS: bool = #{FLOWS};
 const NOISES: bool = #{NOISES};
 const OCTAVES: bool = #{OCTAVES};
 const CURLS: bool = #{CURLS};
+// Whether any particle is seen as its whole trajectory.
+const STROKES: bool = #{STROKES};
 
 struct Pages {
     source_page: u32,
@@ -109,8 +112,9 @@ fn advance(@builtin(global_invocation_id) global_id: vec3<u32>) {
     if DRAGS {
         acceleration = acceleration + drag_on(system, lone_wind, place, velocity);
     }
-    let position = place + velocity;
-    let next = velocity + acceleration;
+    let stays = STROKES && (system.flags & SYSTEM_STILL) != 0u;
+    let position = select(place + velocity, place, stays);
+    let next = select(velocity + acceleration, velocity, stays);
     let survivor = Particle(
         vec4<u32>(bits_of(position.x), bits_of(position.y), bits_of(position.z), position_bits.w),
         vec4<u32>(bits_of(next.x), bits_of(next.y), bits_of(next.z), velocity_bits.w),

@@ -2,7 +2,7 @@
 //
 // Reeves 1983, 2.4: a particle dies when its lifetime is over, when its intensity, from colour
 // and transparency, falls below its system's threshold, or when it comes where its system's bounds
-// forbid. Intensity and place are those that it would be drawn with in this frame, so nothing
+// forbid. What is seen as its whole trajectory does not die of age. Intensity and place are those that it would be drawn with in this frame, so nothing
 // dimmer than the threshold and nothing out of bounds is drawn.
 // One invocation a word of 32 particles of one page. Reads: frame, system_frames, rows, counts,
 // particles, bounds. Writes: alive_bits, deaths (atomic adds).
@@ -14,7 +14,7 @@
 #import motes::dispatch::linear_index
 #import motes::exact::{dot3, less}
 #import motes::layout::{
-    BOUND_BOX, BOUND_PLANE, Bound, Counts, Frame, Particle, SystemFrame, SystemRow,
+    BOUND_BOX, BOUND_PLANE, Bound, Counts, Frame, PARTICLE_STROKE, Particle, SystemFrame, SystemRow,
 }
 #import motes::particle::{
     Identity, age_of, appearance_of, intensity_of, lifetime_of, row_index, slot_of,
@@ -31,6 +31,8 @@ const THRESHOLDS: bool = #{THRESHOLDS};
 const BOUNDS: bool = #{BOUNDS};
 // Whether rates differ from particle to particle in any system.
 const RATE_SPREADS: bool = #{RATE_SPREADS};
+// Whether any particle is seen as its whole trajectory.
+const STROKES: bool = #{STROKES};
 
 // What becomes of a particle.
 const LIVES: u32 = 0u;
@@ -109,7 +111,8 @@ fn fate_of(at: u32, lone: Lone) -> u32 {
     let system = system_at(slot, lone);
     let who = Identity(system.key, birth_frame, index);
     let row = row_at(row_index(slot, birth_frame, frame.row_mask), lone);
-    if age >= lifetime_of(who, row.speed_and_lifetime) {
+    let ages = !STROKES || row.kinds.y != PARTICLE_STROKE;
+    if ages && age >= lifetime_of(who, row.speed_and_lifetime) {
         return DIES_OF_AGE;
     }
     let threshold = row.size_and_threshold.w;

@@ -14,7 +14,7 @@ use super::names::SceneName;
 use super::{CliError, note, print, progress_bar};
 use crate::check::{self, CompareOptions, Outcome, SavedFor, compare, default_frames, shrunk};
 use crate::output::{probe, write_whole};
-use crate::plan::Plan;
+use crate::plan::{Plan, PlanError};
 use crate::scene::{BUILTIN, Loader};
 use side::Side;
 
@@ -184,10 +184,11 @@ fn jobs(args: &CheckArgs) -> Result<Vec<Job>, CliError> {
                 default_frames(&scene)
             };
             let frames = args.frames.unwrap_or(all);
+            let refused = |error: PlanError| CliError::of_plan(&error, loader, &asked, &[]);
             if !args.full {
-                scene = shrunk(&scene, frames)?;
+                scene = shrunk(&scene, frames).map_err(refused)?;
             }
-            let plan = Plan::new(&scene, frames).map_err(|e| CliError::of_plan(&e, &asked))?;
+            let plan = Plan::new(&scene, frames).map_err(refused)?;
             Ok(Job {
                 asked,
                 name: scene.name,

@@ -51,7 +51,9 @@ pub(super) fn run(args: RenderArgs) -> Result<u8, CliError> {
         },
     )
     .map_err(|error| match error {
-        SimulationError::Plan(error) => CliError::of_plan(&error, &args.scene),
+        SimulationError::Plan(error) => {
+            CliError::of_plan(&error, args.loader(), &args.scene, &request::sets(&args))
+        }
         error => error.into(),
     })?;
     let turned = request.turns.iter().map(|turn| &turn.scene);

@@ -194,7 +194,7 @@ pub(super) fn refuse_to_replace(
 }
 
 /// The changes that arguments ask for, each as it was typed.
-fn sets(args: &RenderArgs) -> Vec<Set> {
+pub(super) fn sets(args: &RenderArgs) -> Vec<Set> {
     let mut sets: Vec<Set> = args.set.iter().map(|set| Set::argument(set)).collect();
     if let Some((width, height)) = args.size {
         let typed = format!("--size {width}x{height}");

@@ -6,11 +6,13 @@ use glam::{Vec2, Vec3, Vec4};
 use super::splat::layer_of;
 use crate::cpu::particle::row_index;
 use crate::cpu::reach::is_visible;
+use crate::cpu::shade::light_at;
 use crate::cpu::shape::{Look, disc_of, segment_of, square_of};
 use crate::cpu::sprite::{Sprite, sprite_of};
 use crate::exact::{f32_of_u32, less, shared_constants};
 use crate::layout::{
-    Cover, Frame, Particle, ROW_LIT_SPHERE, ROW_OVER, ROW_SOFTNESS_SHIFT, SystemRow,
+    Cover, PARTICLE_STROKE, Particle, ROW_LIT_CLOUD, ROW_LIT_SPHERE, ROW_OVER, ROW_SOFTNESS_SHIFT,
+    SystemRow,
 };
 use crate::plan::FrameInputs;
 
@@ -19,7 +21,8 @@ shared_constants! {
     const SOFTNESS_STEP: f32 = 0.000_015_259_022;
 }
 
-fn cover_of(sprite: &Sprite, flags: u32, frame: &Frame) -> Cover {
+fn cover_of(sprite: &Sprite, flags: u32, inputs: &FrameInputs, shade_light: &[u32]) -> Cover {
+    let frame = &inputs.frame;
     let from = Vec2::new(sprite.start.x, sprite.start.y);
     let to = Vec2::new(sprite.end.x, sprite.end.y);
     let way = to - from;
@@ -28,6 +31,15 @@ fn cover_of(sprite: &Sprite, flags: u32, frame: &Frame) -> Cover {
         color: sprite.surface,
         lit: Vec3::ZERO,
     };
+    if flags & ROW_LIT_CLOUD != 0 {
+        let part = match inputs.shade_boxes.first() {
+            Some(shade_box) => light_at(shade_box, shade_light, sprite.world),
+            None => 1.0,
+        };
+        let light = Vec4::from(frame.ambient_color) + Vec4::from(frame.light_color) * part;
+        let color = sprite.surface.truncate() * light.truncate();
+        look.color = color.extend(sprite.surface.w);
+    }
     if sprite.square {
         return square_of(from.x, from.y, sprite.radius_px, &look);
     }
@@ -44,12 +56,18 @@ fn cover_of(sprite: &Sprite, flags: u32, frame: &Frame) -> Cover {
     disc_of(from.x, from.y, sprite.radius_px, softness, &look)
 }
 
-/// The record of `particle`, of nothing if it covers nothing.
-pub fn shapes(particle: &Particle, inputs: &FrameInputs, rows: &[SystemRow]) -> Cover {
+/// The record of `particle`, of nothing if it covers nothing; `shade_light` is how much of the light comes to
+/// the cells of the box in which clouds throw shadows.
+pub fn shapes(
+    particle: &Particle,
+    inputs: &FrameInputs,
+    rows: &[SystemRow],
+    shade_light: &[u32],
+) -> Cover {
     let frame = &inputs.frame;
     let birth_frame = frame.frame.wrapping_sub(particle.age(frame.frame));
     let row = &rows[row_index(particle.slot(), birth_frame, frame.row_mask)];
-    if row.kinds[3] & ROW_OVER == 0 {
+    if row.kinds[3] & ROW_OVER == 0 || row.kinds[1] == PARTICLE_STROKE {
         return Cover::default();
     }
     let sprite = sprite_of(inputs, row, particle);
@@ -58,7 +76,7 @@ pub fn shapes(particle: &Particle, inputs: &FrameInputs, rows: &[SystemRow]) -> 
         && less(0.0, sprite.surface.w)
         && is_visible(frame, sprite.start, sprite.end, sprite.radius_px);
     if is_seen {
-        cover_of(&sprite, row.kinds[3], frame)
+        cover_of(&sprite, row.kinds[3], inputs, shade_light)
     } else {
         Cover::default()
     }

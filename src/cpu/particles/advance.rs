@@ -6,7 +6,7 @@ use glam::Vec3;
 use crate::cpu::projection::world_of;
 use crate::cpu::wind::wind_at;
 use crate::exact::bits_of;
-use crate::layout::{Particle, SystemFrame, Wind};
+use crate::layout::{Particle, SYSTEM_STILL, SystemFrame, Wind};
 
 /// What drag adds to a velocity in a frame: a part of what it lacks of the wind's, in the system's
 /// space.
@@ -30,8 +30,13 @@ pub fn advance(particle: &Particle, system: &SystemFrame, winds: &[Wind]) -> Par
     if system.acceleration[3] != 0.0 {
         acceleration += drag_on(system, winds, place, velocity);
     }
-    let position = place + velocity;
-    let next = velocity + acceleration;
+    let stays = system.flags & SYSTEM_STILL != 0;
+    let position = if stays { place } else { place + velocity };
+    let next = if stays {
+        velocity
+    } else {
+        velocity + acceleration
+    };
     Particle {
         position_and_index: [
             bits_of(position.x),

@@ -6,7 +6,7 @@ use glam::Vec3;
 use crate::cpu::particle::{appearance_of, identity_of, intensity_of, lifetime_of, row_index};
 use crate::cpu::projection::world_of;
 use crate::exact::{dot3, less};
-use crate::layout::{BOUND_BOX, BOUND_PLANE, Bound, Particle, SystemRow};
+use crate::layout::{BOUND_BOX, BOUND_PLANE, Bound, PARTICLE_STROKE, Particle, SystemRow};
 use crate::plan::FrameInputs;
 
 /// What becomes of a particle; the first cause of death that holds counts.
@@ -56,7 +56,8 @@ fn is_forbidden(bound: &Bound, world: Vec3) -> bool {
 pub fn fate_of(particle: &Particle, inputs: &FrameInputs, rows: &[SystemRow]) -> Fate {
     let (who, age) = identity_of(particle, inputs);
     let row = &rows[row_index(particle.slot(), who.birth_frame, inputs.frame.row_mask)];
-    if age >= lifetime_of(who, row.speed_and_lifetime) {
+    let ages = row.kinds[1] != PARTICLE_STROKE;
+    if ages && age >= lifetime_of(who, row.speed_and_lifetime) {
         return Fate::DiesOfAge;
     }
     let threshold = row.size_and_threshold[3];

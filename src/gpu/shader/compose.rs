@@ -77,6 +77,8 @@ pub(super) const SWITCHES: &[&str] = &[
     "MIRRORS",
     "CONES",
     "MARKS",
+    "STROKES",
+    "SHADES",
     "SMOKES",
     "GRAINS",
     "TRAILS",

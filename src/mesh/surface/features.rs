@@ -42,9 +42,20 @@ impl Surface {
     pub fn features_near(&self, face: u32, reach: f64) -> Vec<FeatureNear> {
         let frame = &self.faces()[face as usize];
         let own: Vec<[Place; 2]> = (0..3).map(|side| self.ends(3 * face + side)).collect();
-        let away = |piece: [Place; 2]| {
-            let each = own.iter().map(|side| between(*side, piece));
-            each.fold(f64::MAX, f64::min)
+        let middle = own
+            .iter()
+            .fold([0.0; 3], |sum, [from, _]| plus(sum, *from, 1.0 / 3.0));
+        let corners = own.iter().map(|[from, _]| length(less(*from, middle)));
+        let ball = corners.fold(0.0, f64::max);
+        let is_near = |piece: [Place; 2]| {
+            // Far from the ball around the face: most are, and this is told quicker.
+            let [from, to] = piece;
+            let half = length(less(to, from)) / 2.0;
+            let away = length(less(plus(from, less(to, from), 0.5), middle));
+            if away - half - ball > reach * 1.001 {
+                return false;
+            }
+            own.iter().any(|side| between(*side, piece) < reach)
         };
         let mut found: Vec<u32> = Vec::new();
         let mut faces = vec![face];
@@ -53,7 +64,7 @@ impl Surface {
             at += 1;
             for half in 3 * here..3 * here + 3 {
                 let feature = self.feature_of[half as usize];
-                if here != face && away(self.ends(half)) >= reach {
+                if here != face && !is_near(self.ends(half)) {
                     continue;
                 }
                 if feature == NONE {
@@ -63,7 +74,7 @@ impl Surface {
                     }
                 } else if !found.contains(&feature)
                     && !self.features()[feature as usize].is_border
-                    && away(self.ends(half)) < reach
+                    && is_near(self.ends(half))
                 {
                     found.push(feature);
                 }

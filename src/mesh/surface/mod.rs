@@ -19,6 +19,9 @@ use super::{Mesh, MeshError};
 pub use features::{Feature, FeatureNear};
 use vectors::{Place, angle_of, cross, dot, length, less, plus, unit};
 
+/// What a triangle takes in a surface and in the tables that are made of it, on the way too.
+const BYTES_A_TRIANGLE: usize = 1300;
+
 /// No half-edge: beyond a border.
 pub const NO_EDGE: u32 = u32::MAX;
 
@@ -82,6 +85,11 @@ impl Surface {
     /// An edge of more than two faces, or a surface with one side: names where, in the mesh's own
     /// coordinates.
     pub fn new(mesh: &Mesh, scale: f32) -> Result<Self, MeshError> {
+        MeshError::room_for(
+            mesh.triangles().len(),
+            BYTES_A_TRIANGLE,
+            "triangles to walk on",
+        )?;
         let joined = joined::joined(mesh)?;
         let scaled = |at: u32| joined.positions[at as usize].map(|x| x * f64::from(scale));
         let framed = |(corners, source): (&[u32; 3], &u32)| framed(corners.map(scaled), *source);

@@ -14,7 +14,7 @@ use super::read::{Reader, Spot};
 use super::schema::MOST_NAME_CHARS;
 use super::tree::{At, Node, Value};
 use super::values::Quantity;
-use super::{BirthUnit, Camera, Image, SceneError, Spread, System};
+use super::{BirthUnit, Blend, Camera, Image, ParticleShape, SceneError, Spread, System};
 
 /// Pixels of an image at most: 4096 x 2160.
 const MAX_PIXELS: u32 = 8_847_360;
@@ -262,6 +262,31 @@ pub(super) fn triggers(system: &System, table: &Reader<'_>) -> Result<(), SceneE
         }
         None => Ok(()),
     }
+}
+
+/// What is seen as a whole trajectory covers, ends, and flies free of the air.
+pub(super) fn stroke(system: &System, table: &Reader<'_>) -> Result<(), SceneError> {
+    if system.particle_shape != ParticleShape::Stroke {
+        return Ok(());
+    }
+    let (key, what, help) = if system.blend != Blend::Over {
+        let what = "adds the light of strokes, which cover what is behind them";
+        ("blend", what, "blend = \"over\"")
+    } else if system.lifetime.is_none() {
+        let what = "is missing: a stroke is as long as its particle lives";
+        (
+            "lifetime",
+            what,
+            "the frames that the trajectory lasts, such as lifetime = 40",
+        )
+    } else if system.drag != 0.0 {
+        let what = "is that of strokes, which are the parabolas of particles that feel no air";
+        ("drag", what, "0")
+    } else {
+        return Ok(());
+    };
+    let path = table.path_of(key);
+    Err(table.at(key).error(format!("`{path}` {what}"), help))
 }
 
 /// The longest lifetime fits a particle's state.

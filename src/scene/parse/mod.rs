@@ -67,6 +67,12 @@ impl Draft {
         self.files.opened()
     }
 
+    /// An error about the key of that path, or what is around it where it is not written; `None` if
+    /// nothing of the path is there.
+    pub(crate) fn error_at(&self, path: &str, what: &str, help: &str) -> Option<SceneError> {
+        set::place_of(&self.root, path).map(|at| at.error(what, help))
+    }
+
     /// The scene that it is now, checked.
     pub(crate) fn scene(&self) -> Result<Scene, SceneError> {
         scene(&self.root, &self.name, &self.files)
@@ -153,6 +159,9 @@ fn light(spot: &Spot<'_>) -> Result<Light, SceneError> {
         direction: table.must("direction", check::direction)?,
         color: table.must("color", Quantity::read)?,
         ambient: table.must("ambient", Quantity::read)?,
+        shadow_center: table.must("shadow_center", Quantity::read)?,
+        shadow_radius: table.may("shadow_radius", Quantity::read)?,
+        shadow_cells: table.must("shadow_cells", whole32)?,
     })
 }
 

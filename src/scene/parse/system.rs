@@ -35,6 +35,7 @@ fn system(index: usize, node: &Node, files: &Files) -> Result<System, SceneError
         ParticleShape::Sphere,
         ParticleShape::Rectangle,
         ParticleShape::Streak,
+        ParticleShape::Stroke,
     ];
     let axes = [
         EjectionAxis::Up,
@@ -81,9 +82,13 @@ fn system(index: usize, node: &Node, files: &Files) -> Result<System, SceneError
             [table.must("integration", choice)?],
         particle_shape: shapes[table.must("particle_shape", choice)?],
         blend: [Blend::Add, Blend::Over][table.must("blend", choice)?],
-        shading: [Shading::Flat, Shading::LitSphere][table.must("shading", choice)?],
+        shading: [Shading::Flat, Shading::LitSphere, Shading::LitCloud]
+            [table.must("shading", choice)?],
         edge_softness: table.must("edge_softness", Quantity::read)?,
         streak_light: lights[table.must("streak_light", choice)?],
+        stroke_taper: table.must("stroke_taper", Quantity::read)?,
+        stroke_pieces: table.must("stroke_pieces", whole32)?,
+        stroke_shadow: table.must("stroke_shadow", Quantity::read)?,
         intensity_threshold: table.may("intensity_threshold", Quantity::read)?,
         intensity: [Intensity::Brightest, Intensity::Luminance][table.must("intensity", choice)?],
         extinctions: table.must("extinction", |spot| list(spot, |_, spot| extinction(spot)))?,
@@ -96,6 +101,7 @@ fn system(index: usize, node: &Node, files: &Files) -> Result<System, SceneError
     };
     check::frames(system.first_frame, system.end_frame, &table)?;
     check::triggers(&system, &table)?;
+    check::stroke(&system, &table)?;
     if let Some(lifetime) = system.lifetime {
         check::lifetime(lifetime, &table)?;
     }

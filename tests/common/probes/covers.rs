@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3, Vec4};
 use motes::cpu::cover::{Layered, Spot, behind, bounds_of, coverage_at, far_to_near};
 use motes::cpu::shape::{
-    Look, cone_of, disc_of, segment_of, slanted_disc_of, square_of, triangle_of,
+    Look, cone_of, disc_of, segment_of, slanted_disc_of, square_of, stroke_of, triangle_of,
 };
 use motes::exact::f32_of_u32;
 use motes::layout::Cover;
@@ -12,8 +12,8 @@ use super::Arguments;
 
 pub(super) const COVER_IMPORTS: &str = "#import motes::layout::Cover
 #import motes::cover::{Kinds, Layered, Spot, behind, bounds_of, coverage_at, far_to_near}
-#import motes::shape::{Look, cone_of, disc_of, segment_of, slanted_disc_of, square_of, triangle_of}
-const KINDS: Kinds = Kinds(true, true, true, true, true, true);
+#import motes::shape::{Look, cone_of, disc_of, segment_of, slanted_disc_of, square_of, stroke_of, triangle_of}
+const KINDS: Kinds = Kinds(true, true, true, true, true, true, true);
 // So many bits of a word, in quarters.
 fn quarters(word: u32, shift: u32, count: u32) -> f32 {
     return f32_of_u32((word >> shift) & ((1u << count) - 1u)) * 0.25f;
@@ -21,6 +21,10 @@ fn quarters(word: u32, shift: u32, count: u32) -> f32 {
 // How far to the left and up some segments end.
 fn far(i: u32) -> vec2<f32> {
     return vec2<f32>(f32_of_u32((i >> 5u) & 1u), f32_of_u32((i >> 11u) & 1u)) * 262144.0f;
+}
+// What a piece is cut off by at its ends, or nothing.
+fn cuts(w: u32, i: u32) -> vec2<f32> {
+    return vec2<f32>(quarters(w, 16u, 5u) - 2.0f, quarters(i, 23u, 5u) - 2.0f);
 }
 fn some(kind: u32, w: u32, i: u32) -> Cover {
     let alpha = quarters(w, 24u, 3u) * 0.625f;
@@ -36,6 +40,7 @@ fn some(kind: u32, w: u32, i: u32) -> Cover {
         case 2u: { return square_of(a.x, a.y, size, look); }
         case 3u: { return segment_of(a, b - far(i), size * 0.3f, look); }
         case 6u: { return slanted_disc_of(a.x, a.y, size, quarters(w, 18u, 3u) * 0.5f, b * 0.1f - 0.6f, look); }
+        case 7u: { return stroke_of(a, b, vec2<f32>(size * 0.3f, quarters(w, 12u, 3u)), cuts(w, i), look); }
         case 5u: { return cone_of(a, b, size, quarters(w, 12u, 3u) * 0.5f - 0.9f, look); }
         default: { return triangle_of(a, b, c, look); }
     }
@@ -112,6 +117,11 @@ fn some(r: &Arguments, kind: u32) -> Cover {
             b * 0.1 - 0.6,
             &look,
         ),
+        7 => {
+            let halves = [size * 0.3, quarters(w, 12, 3)];
+            let cuts = [quarters(w, 16, 5) - 2.0, quarters(i, 23, 5) - 2.0];
+            stroke_of(a, b, halves, cuts, &look)
+        }
         5 => cone_of(a, b, size, quarters(w, 12, 3) * 0.5 - 0.9, &look),
         _ => triangle_of(a, b, c, &look),
     }
