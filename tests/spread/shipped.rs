@@ -41,7 +41,11 @@ fn p31_dropped_flames_are_red_before_green_before_blue() {
 fn p70_shipped_fires_burn_and_nothing_is_lost() {
     for mut scene in shipped() {
         // Room for more flames than burn by then would take time alone.
-        for spread in scene.fires.iter_mut().filter_map(|fire| fire.spread.as_mut()) {
+        for spread in scene
+            .fires
+            .iter_mut()
+            .filter_map(|fire| fire.spread.as_mut())
+        {
             spread.max_flames = spread.max_flames.min(4000);
         }
         let mut run = run(&scene);
