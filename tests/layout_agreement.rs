@@ -543,6 +543,8 @@ fn constants_agree_bit_for_bit() {
         ("FIELD_LEN", 1 << 21),
         ("BLUE_LEN", 1 << (64 - 42)),
         ("UNFIT", 1 << 3),
+        // The processor looks at all records.
+        ("NO_RECORD", u32::MAX),
     ])
     .collect();
     let mut given = vec!["WORKGROUP_SIZE"];

@@ -62,7 +62,7 @@ pub(super) fn light_of(fire: &Fire, looks: &[AgeLook], meshes: &MeshTables) -> L
     let highest = fire.height.mean + fire.height.var;
     let heights = fire.listed.iter().filter_map(|flame| flame.height);
     let reach = extent_of(fire, meshes) + CARRIED * heights.fold(highest, f32::max);
-    let extent = part_of(fire).clamp(EXTENT * fire.height.mean, fire.height.mean);
+    let extent = part_of(fire).max(EXTENT * fire.height.mean);
     let [youngest, oldest] = ages(fire.lights.from);
     let ages = (oldest - youngest + 1) as f32;
     Light {
@@ -95,8 +95,8 @@ fn mean_light(fire: &Fire, look: &AgeLook) -> Vec3 {
 }
 
 /// How far from a point light of a fire that spreads flames are that it stands for: the radius of a
-/// disc as large as its part of what burns. Nearer than that, or than a flame is high, there is no point
-/// that light comes from, and none is to be seen on what is close.
+/// disc as large as its part of what burns. Nearer than that there is no point that light comes from, and
+/// none is to be seen on what is close.
 fn part_of(fire: &Fire) -> f32 {
     let Some(spread) = &fire.spread else {
         return 0.0;

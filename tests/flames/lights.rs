@@ -296,12 +296,12 @@ fn grounds_need_a_place_to_be_seen_from() {
 
 #[test]
 fn p45_a_light_of_what_burns_is_as_large_as_its_part_of_it() {
-    // Half of a cube's edge is 0.5: its area is 6, which so many lights share. They are no larger than a
-    // flame is high, and no smaller than those of other fires.
+    // Half of a cube's edge is 0.5: its area is 6, which so many lights share. They are no smaller
+    // than those of other fires: a fifth of a flame's height.
     for (lights, height, wanted) in [
         (10, 1.0, (6.0 / (10.0 * std::f64::consts::PI)).sqrt()),
         (40, 1.0, (6.0 / (40.0 * std::f64::consts::PI)).sqrt()),
-        (10, 0.3, 0.3),
+        (10, 0.3, (6.0 / (10.0 * std::f64::consts::PI)).sqrt()),
         (64, 2.0, 0.4),
     ] {
         let scene = common::scene_of(&format!(

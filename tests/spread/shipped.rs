@@ -39,10 +39,18 @@ fn p31_dropped_flames_are_red_before_green_before_blue() {
 
 #[test]
 fn p70_shipped_fires_burn_and_nothing_is_lost() {
-    for scene in shipped() {
+    for mut scene in shipped() {
+        // Room for more flames than burn by then would take time alone.
+        for spread in scene
+            .fires
+            .iter_mut()
+            .filter_map(|fire| fire.spread.as_mut())
+        {
+            spread.max_flames = spread.max_flames.min(4000);
+        }
         let mut run = run(&scene);
         let mut most = 0;
-        for frame in (0..=scene.frames.min(120)).step_by(40) {
+        for frame in (0..=80).step_by(20) {
             run.seek(frame).expect("it runs");
             for line in run.take_statistics().expect("they are read") {
                 assert_eq!(line.flames_requested, line.flames_born, "{}", scene.name);
