@@ -535,16 +535,12 @@ fn constants_agree_bit_for_bit() {
         ("FAMILIES_END", buffer_len("cover_counts")),
         ("STATISTICS_LEN", buffer_len("statistics")),
         ("GLOW_RUN", motes::gpu::GLOW_RUN),
-        // No place among the records of a round: devices alone look for the next so.
-        ("NO_RECORD", u32::MAX),
         // Fields of 21, 21 and 22 bits fill a word of 64: devices alone pack light so.
         ("GREEN_AT", 21),
         ("BLUE_AT", 42),
         ("FIELD_LEN", 1 << 21),
         ("BLUE_LEN", 1 << (64 - 42)),
         ("UNFIT", 1 << 3),
-        // The processor looks at all records.
-        ("NO_RECORD", u32::MAX),
     ])
     .collect();
     let mut given = vec!["WORKGROUP_SIZE"];
