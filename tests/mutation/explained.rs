@@ -168,6 +168,7 @@ static EXPLAINED: &[Explanation] = &[
     ("draw/bin", "bin: tiling.tile_px -> member across", "of the last tile: looks at more tiles, in which nothing is covered"),
     ("draw/bin", "bin: (bounds.zw - 1i) -> Add", "looks at one tile more, in which nothing is covered"),
     ("draw/cover", "begun: ? = (y >= Sint(_)) -> omitted", "what is past the picture's end is not kept"),
+    ("draw/cover", "with_record: 1.0f -> -1.0f in (behind(), 1.0f)", "how much of surfaces shows through, where there are none"),
     ("draw/cover", "keep: (y >= Sint(_.height)) -> Greater", "a row below the picture, beyond the last pixel, which checked kernels do not write"),
     ("probe/covers", "mean_clamped: 0.0f -> -1.0f", "of a line that is nowhere above 0, whose mean is 0 by the longer way, too"),
     ("draw/cover_work", "const FAMILIES_END: 8u -> 9u", "one word beyond the last, which checked kernels read as 0"),
