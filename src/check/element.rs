@@ -404,7 +404,7 @@ mod tests {
             let words = declared.stride as usize / 4;
             let fields = fields(declared.name);
             match declared.count {
-                Count::Pixels(each) | Count::SurfacePixels(each) => {
+                Count::Pixels(each) | Count::SurfacePixels(each) | Count::Pieces(each) => {
                     assert_eq!(fields.len(), each as usize * words, "{}", declared.name);
                 }
                 _ => assert_eq!(fields.len(), words, "{}", declared.name),

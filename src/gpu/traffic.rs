@@ -335,11 +335,11 @@ static TABLE: &[Line] = &[
     ("draw/marks", |load| {
         (load.marks, load.marks * (DROPPED + COVER))
     }),
-    ("draw/smoke", |load| {
-        (load.marks, load.marks * (DROPPED + COVER))
-    }),
     ("draw/front_lines", |load| {
         (load.points, load.points * (POINT + COVER))
+    }),
+    ("draw/smoke", |load| {
+        (load.marks, load.marks * (DROPPED + COVER))
     }),
     ("draw/strokes", |load| {
         (load.live, load.live * PARTICLE + load.stroke_covers * COVER)

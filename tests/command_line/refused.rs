@@ -44,7 +44,7 @@ fn an_unknown_scene_is_answered_with_the_nearest_name() {
         &here,
         &["render", "zzzzzz"],
         2,
-        &["`zzzzzz`", "fireworks", "fountain"],
+        &["`zzzzzz`", "`motes scenes` lists the built-in scenes"],
     );
     refused(
         &here,

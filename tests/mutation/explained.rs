@@ -163,6 +163,7 @@ static EXPLAINED: &[Explanation] = &[
     ("probe/wind", "wind_of: 0u -> 1u in select(0u, wind.kinds.1, (kind == WIND_CURL))", "a second noise that only a curl uses"),
     ("probe/wind", "wind_of: 0u -> 4294967295u in select(0u, wind.kinds.1, (kind == WIND_CURL))", "a second noise that only a curl uses"),
     ("probe/covers", "coverage_at: Bool(false) -> Bool(true)", "the probe has all kinds of shapes"),
+    ("probe/covers", "part_at: Bool(false) -> Bool(true)", "the probe has all kinds of shapes"),
     ("probe/covers", "coverage_at: kinds.*", "the probe has all kinds of shapes"),
     ("probe/covers", "mean_clamped: ? = LogicalNot(less()) -> omitted", "of a line that is nowhere above 0, whose mean is 0 by the longer way, too"),
     ("draw/bin", "bin: tiling.tile_px -> member across", "of the last tile: looks at more tiles, in which nothing is covered"),
