@@ -2,7 +2,7 @@
 
 use motes::backend::Backend;
 use motes::cpu::CpuBackend;
-use motes::layout::{COVER_STROKE, Cover};
+use motes::layout::{COVER_STROKE, COVERS_OF_STROKES, Cover};
 use motes::plan::{Plan, Stage};
 use motes::scene::Scene;
 use motes::simulation::{AdapterChoice, Options, ParticleState, Simulation};
@@ -73,10 +73,13 @@ pub(crate) fn records(plan: &Plan, backend: &mut CpuBackend) -> Vec<[Vec<Cover>;
     let words = backend.read("covers").expect("it can be read");
     let counts = backend.read("cover_counts").expect("it can be read");
     let covers: Vec<Cover> = bytemuck::pod_collect_to_vec(&words);
-    let before: u32 = counts[1..5].iter().sum();
+    let before: u32 = counts[1..COVERS_OF_STROKES as usize].iter().sum();
     let [pieces, records] = plan.stroke_records.map(|count| count as usize);
     let of_strokes = &covers[before as usize..];
-    assert_eq!(of_strokes.len(), counts[5] as usize);
+    assert_eq!(
+        of_strokes.len(),
+        counts[COVERS_OF_STROKES as usize] as usize
+    );
     let pieces_of = |covers: &[Cover]| -> Vec<Cover> {
         let seen = covers.iter().filter(|it| it.shape[2] != 0);
         let seen: Vec<Cover> = seen.copied().collect();
