@@ -5,7 +5,7 @@
 // One invocation a place for a flame.
 // Reads: frame, fires, winds, spread_counts, dropped_flames, layer_planes. Writes: covers, cover_counts
 // (word 0: how many records are of something, by atomic adds; word 5: how many there are of smoke).
-// Invariant: records are in the order in which flames were dropped, behind all others.
+// Invariant: records are in the order in which flames were dropped, behind those of fronts.
 
 #import motes::dispatch::linear_index
 #import motes::emission::turned

@@ -4,7 +4,7 @@
 // opacity and width along it are those of the particle at each moment; its width falls by the taper, too.
 // One invocation a particle of one page. Reads: frame, stroke_light, system_frames, rows, counts, particles,
 // layer_planes, lamps. Writes: covers, cover_counts (word 0: how many records are of something, by atomic
-// adds; word 5: how many there are of strokes).
+// adds; word 6: how many there are of strokes).
 // Invariant: a particle has as many records as any other, those of its shadow first; all that is not a
 // stroke's piece is of nothing, and so is what is below the ground. What is written depends on the particle, its system and the view alone.
 

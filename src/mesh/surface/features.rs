@@ -64,7 +64,8 @@ impl Surface {
             at += 1;
             for half in 3 * here..3 * here + 3 {
                 let feature = self.feature_of[half as usize];
-                if here != face && !is_near(self.ends(half)) {
+                let near = is_near(self.ends(half));
+                if here != face && !near {
                     continue;
                 }
                 if feature == NONE {
@@ -74,7 +75,7 @@ impl Surface {
                     }
                 } else if !found.contains(&feature)
                     && !self.features()[feature as usize].is_border
-                    && is_near(self.ends(half))
+                    && near
                 {
                     found.push(feature);
                 }
