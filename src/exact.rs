@@ -9,7 +9,7 @@
 //! IEEE CG&A 17(4), 1997) and are refined by Newton's method; the last step adds a residual to keep rounding small.
 //! Errors are in units in the last place (ULP) of the true value's `f32`, measured by `tests/exact_errors.rs`.
 
-use glam::{Vec2, Vec3, Vec4};
+use glam::{IVec3, Vec2, Vec3, Vec4};
 
 /// Declares constants that a WGSL file has, too, and lists them for the test that compares the two bit for bit.
 macro_rules! shared_constants {
@@ -51,6 +51,14 @@ shared_constants! {
     pub const INTEGER_LIMIT: f32 = 1_073_741_824.0;
     /// 2^24: up to here every integer has its float, and drivers agree on it.
     pub const EXACT_INTEGER_LIMIT: u32 = 16_777_216;
+    /// 1.5 * 2^39, around which floats are 2^16 apart.
+    pub const COARSE_ORIGIN: f32 = 824_633_720_832.0;
+    /// Its bits.
+    pub const COARSE_BITS: i32 = 0x5340_0000;
+    /// 1.5 * 2^23, around which floats are 1 apart.
+    pub const FINE_ORIGIN: f32 = 12_582_912.0;
+    /// Its bits.
+    pub const FINE_BITS: i32 = 0x4b40_0000;
 }
 
 /// `x`, or +0 where |x| < 2^-40 (and for -0). Every float is snapped before it is stored.
@@ -172,6 +180,31 @@ pub fn to_i32(x: f32) -> i32 {
     } else {
         raised
     }) as i32
+}
+
+/// Whole numbers of two limbs each: 65,536 `coarse` + `fine`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limbs3 {
+    /// Multiples of 2^16.
+    pub coarse: IVec3,
+    /// The rest, at most 2^15 of either sign.
+    pub fine: IVec3,
+}
+
+/// `v` to the nearest whole numbers, of two the even one, up to 2^37 of either sign. Additions round
+/// to the steps of floats as large as the origins; both differences are exact.
+#[inline]
+pub fn limbs3(v: Vec3) -> Limbs3 {
+    let coarse = v + Vec3::splat(COARSE_ORIGIN);
+    let fine = (v - (coarse - Vec3::splat(COARSE_ORIGIN))) + Vec3::splat(FINE_ORIGIN);
+    let less = |v: Vec3, bits: i32| {
+        let of = |x: f32| x.to_bits().cast_signed().wrapping_sub(bits);
+        IVec3::new(of(v.x), of(v.y), of(v.z))
+    };
+    Limbs3 {
+        coarse: less(coarse, COARSE_BITS),
+        fine: less(fine, FINE_BITS),
+    }
 }
 
 /// The largest integer that is not above `x`, clamped to 0 ..= 2^30; NaN gives 0.

@@ -118,6 +118,40 @@ fn to_i32_floors_and_clamps_whatever_it_is_given() {
 }
 
 #[test]
+fn limbs_hold_the_nearest_whole_number_up_to_2_to_the_37() {
+    let whole = |x: f32| {
+        let limbs = limbs3(Vec3::new(0.0, x, -x));
+        assert_eq!((limbs.coarse.x, limbs.fine.x), (0, 0));
+        let of = |coarse: i32, fine: i32| {
+            assert!(fine.abs() <= 1 << 15, "{x:e}: {fine}");
+            i64::from(coarse) * 65_536 + i64::from(fine)
+        };
+        let (above, below) = (
+            of(limbs.coarse.y, limbs.fine.y),
+            of(limbs.coarse.z, limbs.fine.z),
+        );
+        assert_eq!(above, -below, "{x:e}");
+        above
+    };
+    for x in awkward().into_iter().filter(|x| x.abs() <= power(37)) {
+        assert_eq!(whole(x), f64::from(x).round_ties_even() as i64, "{x:e}");
+    }
+    for (x, nearest) in [
+        (0.5, 0),
+        (1.5, 2),
+        (2.5, 2),
+        (0.500_000_06, 1),
+        (32_767.5, 32_768),
+        (32_768.0, 32_768),
+        (65_535.5, 65_536),
+        (8_388_607.5, 8_388_608),
+        (536_870_912.0, 536_870_912),
+    ] {
+        assert_eq!(whole(x), nearest, "{x:e}");
+    }
+}
+
+#[test]
 fn integers_become_floats_exactly_up_to_2_to_the_24() {
     for i in [0, 1, -1, 12_345, 16_777_215, 16_777_216, -16_777_216] {
         assert_eq!(f64::from(f32_of_i32(i)), f64::from(i));

@@ -1,12 +1,12 @@
 //! Steering (Reynolds 1987, as the flocking article has it). Twin of `wgsl/lib/steering.wgsl`, whose
-//! sums of two 32-bit limbs are one integer here.
+//! sums of several limbs are one integer here.
 
 use glam::Vec3;
 
 use crate::cpu::boid::limited;
 use crate::exact::{
-    dot3, f32_of_u32, inverse_square_root, less, min_exact, normalize_exact, shared_constants,
-    to_i32,
+    Limbs3, dot3, f32_of_u32, inverse_square_root, less, limbs3, min_exact, normalize_exact,
+    shared_constants,
 };
 use crate::layout::{FlockFrame, RELATION_AVOID, RELATION_FLOCK, Relation, SUM_STEPS};
 
@@ -38,11 +38,13 @@ pub struct Perceived {
 /// The sum with a term more, to the nearest step.
 #[inline]
 fn plus(sum: Sum, term: Vec3) -> Sum {
+    let Limbs3 { coarse, fine } = limbs3(term);
+    let whole = |coarse: i32, fine: i32| i64::from(coarse) * 65_536 + i64::from(fine);
     let [x, y, z] = sum;
     [
-        x + i64::from(to_i32(term.x + 0.5)),
-        y + i64::from(to_i32(term.y + 0.5)),
-        z + i64::from(to_i32(term.z + 0.5)),
+        x + whole(coarse.x, fine.x),
+        y + whole(coarse.y, fine.y),
+        z + whole(coarse.z, fine.z),
     ]
 }
 

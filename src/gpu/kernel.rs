@@ -49,7 +49,7 @@ pub fn check_binding(binding: &Binding) -> Result<(), String> {
     // Words may be looked at four at a time: buffers hold whole fours.
     let in_fours = matches!(
         (*record, type_name),
-        ("u32", "vec4<u32>") | ("u64" | "Particle", "vec4<u64>")
+        ("u32", "vec4<u32>") | ("u64" | "Particle" | "Boid", "vec4<u64>")
     ) && shape.runtime_array;
     if !in_fours && (type_name != *record || shape.stride != *stride) {
         return Err(format!(

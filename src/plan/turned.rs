@@ -31,6 +31,8 @@ impl Plan {
             strips: self.uses.strips,
             trails: self.uses.trails,
             crowds: self.uses.crowds,
+            throngs: self.uses.throngs,
+            depths: self.uses.depths,
             nearest: self.uses.nearest,
             views: self.uses.views,
             obstacles: self.uses.obstacles,

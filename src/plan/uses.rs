@@ -71,6 +71,8 @@ uses! {
     meshes "MESHES";
     /// Boids that look at more others than a loop of a software driver turns.
     crowds "CROWDS";
+    /// Boids that look at more than four times as many.
+    throngs "THRONGS";
     /// A planet, which splits the picture.
     planet "PLANET";
     /// A ground or pillars behind everything.
@@ -85,6 +87,8 @@ uses! {
     skews "SKEWS";
     /// Strips along flames.
     strips "STRIPS";
+    /// Flocks with depth.
+    depths "DEPTHS";
     /// Flocks whose opposite edges are the same.
     torus "TORUS";
     /// Boids that do not see all around.
@@ -149,6 +153,10 @@ fn is_mirrored(flock: &FlockFrame) -> bool {
     flock.drawn[1] == 2
 }
 
+fn has_depth(flock: &FlockFrame) -> bool {
+    flock.ties[2] == 1
+}
+
 fn is_torus(flock: &FlockFrame) -> bool {
     flock.members[3] == EDGES_TORUS
 }
@@ -158,7 +166,7 @@ fn has_triangles(flock: &FlockFrame) -> bool {
 }
 
 /// Turns that loops of an invocation may make in all, with some to spare: software drivers end them
-/// after 65,535.
+/// after 65,535. Of as many, sums over boids need not be carried.
 const MOST_TURNS: u64 = 60_000;
 
 /// How many boids one of the flock looks at, and faces of meshes, at most.
@@ -192,6 +200,8 @@ impl Uses {
             .spreads
             .iter()
             .any(|spread| spread.line_shape[0] > 0.0);
+        let most_seen = inputs.flocks.iter().map(|flock| sight(flock, inputs)).max();
+        let most_seen = most_seen.unwrap_or(0);
         let own = Self {
             planet: !inputs.planets.is_empty(),
             details: inputs.fires.iter().any(|fire| fire.details[0] > 0.0),
@@ -215,6 +225,7 @@ impl Uses {
             streaks: inputs.flocks.iter().any(has_trails) || front_lines,
             cones: inputs.flocks.iter().any(has_cones),
             mirrors: inputs.flocks.iter().any(is_mirrored),
+            depths: inputs.flocks.iter().any(has_depth),
             torus: inputs.flocks.iter().any(is_torus),
             views: inputs.relations.iter().any(|tie| tie.sight[0] >= -1.0),
             nearest: inputs.relations.iter().any(|tie| tie.kinds[3] > 0),
@@ -222,10 +233,8 @@ impl Uses {
             obstacles: !inputs.obstacles.is_empty(),
             solids: inputs.obstacles.iter().any(is_solid),
             blown: inputs.flocks.iter().any(|flock| flock.goal_rule[3] > 0.0),
-            crowds: inputs
-                .flocks
-                .iter()
-                .any(|flock| sight(flock, inputs) > MOST_TURNS),
+            crowds: most_seen > MOST_TURNS,
+            throngs: most_seen > 4 * MOST_TURNS,
             many_systems: inputs.frame.system_count > 1,
             many_rows: inputs.frame.system_count > 1 || inputs.frame.row_mask > 0,
             many_winds: inputs.winds.len() > 1,

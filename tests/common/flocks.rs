@@ -28,7 +28,7 @@ pub(crate) fn all_kinds_of_flocks() -> Scene {
              force = [0.01, 0, 0.02]\nedges = {{ kind = \"repel\", inward = true, {box_of} }}\n\
              [[flock.relation]]\nkind = \"flock\"\nseparation = \"inverse_distance\"\n\
              [[flock.relation]]\nkind = \"flock\"\nother = \"a\"\nradius = 15\n\
-             [[flock.relation]]\nkind = \"approach\"\nother = \"c\"\n"
+             [[flock.relation]]\nkind = \"approach\"\nother = \"c\"\nlimit = 20\n"
         ),
         "name = \"c\"\ncount = 7\nregion = { min = [10, 10, 0], max = [200, 200, 0] }\n\
          start_speed = 10\nedges = { kind = \"constrain\", min = [0, 0, 0], max = [200, 200, 0] }"
@@ -106,7 +106,8 @@ pub(crate) fn driven_flocks() -> Scene {
              region = {{ {box_of} }}\nshape = \"disc\""
         ),
         "name = \"lost\"\ncount = 1\nregion = { min = [50, 50, 0], max = [50, 50, 0] }\n\
-         start_speed = 0\n[[flock.obstacle]]\nkind = \"sphere\"\ncenter = [50, 50, 0]\nradius = 30\n"
+         start_speed = 0\n[[flock.obstacle]]\nkind = \"sphere\"\ncenter = [50, 50, 0]\nradius = 30\n\
+         [[flock.relation]]\nkind = \"flock\"\nother = \"deep\"\nradius = 60\nview_angle_degrees = 90\n"
             .into(),
     ];
     let text: String = flocks

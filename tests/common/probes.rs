@@ -79,6 +79,12 @@ pub(crate) static PROBES: &[ProbeKernel] = &[
         ("u32(to_i32(c))", |r| to_i32(r.c).cast_unsigned()),
         ("to_u32(f)", |r| to_i32(r.f()).max(0).cast_unsigned()),
         ("to_u32(c)", |r| to_u32(r.c)),
+        ("u32(limbs3(abc).coarse.x)", |r| limbs3(r.abc()).coarse.x.cast_unsigned()),
+        ("u32(limbs3(abc).coarse.z)", |r| limbs3(r.abc()).coarse.z.cast_unsigned()),
+        ("u32(limbs3(cdd * 65536.0f).coarse.y)", |r| limbs3(r.cdd() * 65_536.0).coarse.y.cast_unsigned()),
+        ("u32(limbs3(abc).fine.y)", |r| limbs3(r.abc()).fine.y.cast_unsigned()),
+        ("u32(limbs3(abc).fine.z)", |r| limbs3(r.abc()).fine.z.cast_unsigned()),
+        ("u32(limbs3(cdd * 65536.0f).fine.z)", |r| limbs3(r.cdd() * 65_536.0).fine.z.cast_unsigned()),
         ("bits(f32_of_i32(i32(i)))", |r| bits(f32_of_i32(r.i.cast_signed()))),
         ("bits(f32_of_u32(i))", |r| bits(f32_of_u32(r.i))),
         ("bits(reciprocal(f))", |r| bits(reciprocal(r.f()))),
@@ -268,7 +274,7 @@ impl ProbeKernel {
             .collect();
         format!(
             "#import motes::exact::{{at_least_zero, bits_of, clamp3, clamp_exact, clamp_unit, cross3, dot3, f32_of_i32, \
-             f32_of_u32, floor_exact, inverse_square_root, length3, less, less_equal, max3, \
+             f32_of_u32, floor_exact, inverse_square_root, length3, less, less_equal, limbs3, max3, \
              max_exact, min3, min_exact, normalize_exact, reciprocal, snap, snap2, snap3, snap4, \
              square_root, to_i32, to_u32}}
 {}

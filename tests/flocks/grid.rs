@@ -148,13 +148,9 @@ fn f18_coincident_boids_are_the_same_everywhere() {
     assert_twins(&plan, &frames_of(&plan, 4), &GpuOptions::default());
 }
 
-/// More boids in a cell than drivers let a loop turn.
-#[test]
-fn fa11_a_cell_has_no_most() {
-    let crowd = "name = \"crowd\"\ncount = 66_000\nregion = { min = [0, 0, 0], max = [1, 1, 0] }";
-    let one = "name = \"one\"\ncount = 1\nregion = { min = [0.5, 0.5, 0], max = [0.5, 0.5, 0] }\n\
-               [[flock.relation]]\nkind = \"flock\"\nother = \"crowd\"";
-    let plan = plan(&scene(&[crowd, one]));
+/// The lone boid of a plan's last flock sees the same on a device.
+fn assert_sees_the_same(flocks: &[&str]) {
+    let plan = plan(&scene(flocks));
     let inputs = plan.inputs(0);
     let name = &adapters()[0];
     let (mut gpu, mut cpu) = (
@@ -164,4 +160,30 @@ fn fa11_a_cell_has_no_most() {
     for stage in [Stage::Hatch, Stage::Cells, Stage::Steer] {
         compare_stage(stage, &inputs, &mut gpu, &mut cpu).unwrap_or_else(|e| panic!("{name}: {e}"));
     }
+}
+
+/// More boids in a cell than drivers let a loop turn.
+#[test]
+fn fa11_a_cell_has_no_most() {
+    assert_sees_the_same(&[
+        "name = \"crowd\"\ncount = 66_000\nregion = { min = [0, 0, 0], max = [1, 1, 0] }",
+        "name = \"one\"\ncount = 1\nregion = { min = [0.5, 0.5, 0], max = [0.5, 0.5, 0] }\n\
+         [[flock.relation]]\nkind = \"flock\"\nother = \"crowd\"",
+    ]);
+}
+
+/// More boids on one side than the limbs of a sum hold, in several cells for the sake of those who
+/// see less far.
+#[test]
+fn fa11_a_sum_has_no_most() {
+    if !full() {
+        return;
+    }
+    assert_sees_the_same(&[
+        "name = \"crowd\"\ncount = 330_000\nregion = { min = [20, -20, 0], max = [95, 20, 0] }",
+        "name = \"few\"\ncount = 2\nregion = { min = [0, 0, 0], max = [1, 1, 0] }\n\
+         perception_radius = 25\n[[flock.relation]]\nkind = \"flock\"\nother = \"crowd\"",
+        "name = \"one\"\ncount = 1\nregion = { min = [0, 0, 0], max = [0, 0, 0] }\n\
+         perception_radius = 100\n[[flock.relation]]\nkind = \"flock\"\nother = \"crowd\"",
+    ]);
 }

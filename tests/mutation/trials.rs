@@ -267,10 +267,15 @@ pub(crate) fn trials() -> Vec<Trial> {
         let frames = frames_of(&plan, count);
         (plan, frames)
     };
-    // As if there were more boids than a loop turns.
+    // As if there were many times more boids than a loop turns.
     let flocks = |crowds| {
         let (mut plan, frames) = unchanging(&all_kinds_of_flocks(), 5);
-        plan.uses.crowds = crowds;
+        (plan.uses.crowds, plan.uses.throngs) = (crowds, crowds);
+        (plan, frames)
+    };
+    let driven = || {
+        let (mut plan, frames) = unchanging(&driven_flocks(), 6);
+        plan.uses.crowds = true;
         (plan, frames)
     };
     // Pages as small as they can be, and one for all: llvmpipe keeps something of every dispatch
@@ -295,7 +300,7 @@ pub(crate) fn trials() -> Vec<Trial> {
         Trial::new("planet", unchanging(&lit_planet(), 7), 64, LARGE),
         Trial::new("flocks", layered(flocks(false)), 24, LARGE),
         Trial::new("crowded flocks", flocks(true), 64, LARGE),
-        Trial::new("driven flocks", unchanging(&driven_flocks(), 6), 64, LARGE),
+        Trial::new("driven flocks", driven(), 64, LARGE),
         Trial::new(
             "fires",
             layered(unchanging(&all_kinds_of_fires(), 6)),

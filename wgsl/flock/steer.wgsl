@@ -10,7 +10,7 @@
 // only the nearest count (Ballerini et al. 2008), who they are depends on distances and identities
 // alone.
 
-#import motes::boid::{Motion, moved}
+#import motes::boid::{Motion, boid_of, halves, moved}
 #import motes::dispatch::linear_index
 #import motes::exact::{bits_of, dot3, less, less_equal, normalize_exact}
 #import motes::grid::{around, cell_index, gap_to, half_row, nearest_way, place_in_cells, span}
@@ -18,13 +18,17 @@
     Boid, EDGES_TORUS, FlockFrame, Frame, MOST_NEAREST, MOST_WINDS, OBSTACLE_MESH, Obstacle, ROWS_A_SOLID_FACE, Relation, Wind,
 }
 #import motes::solid::{Nearest, nearest_of, solid_surface}
-#import motes::steering::{Perceived, answer, nothing, perceiving, sees}
+#import motes::steering::{Perceived, Sum, all_carried, answer, nothing, perceiving, sees}
 #import motes::urge::{Surface, facing, kept_out, sought, sphere_surface, surface_of, turned_away}
 #import motes::wind::{Kinds, wind_of}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
-// Whether boids may look at more others than loops of software drivers turn, 65,535.
+// Whether boids may look at more others than loops of software drivers turn, 65,535; at more than four
+// times as many.
 const CROWDS: bool = #{CROWDS};
+const THRONGS: bool = #{THRONGS};
+// Whether any flock has depth.
+const DEPTHS: bool = #{DEPTHS};
 // Whether opposite edges of any flock are the same.
 const TORUS: bool = #{TORUS};
 // Whether any boids do not see all around; whether any see but the nearest; whether any have a goal,
@@ -51,7 +55,11 @@ var<immediate> which: Which;
 @group(0) @binding(0) var<storage, read> flocks: array<FlockFrame>;
 @group(0) @binding(1) var<storage, read> relations: array<Relation>;
 @group(0) @binding(2) var<storage, read> cell_starts: array<u32>;
+#if WIDE == true
+@group(0) @binding(3) var<storage, read> sorted_boids: array<vec4<u64>>;
+#else
 @group(0) @binding(3) var<storage, read> sorted_boids: array<Boid>;
+#endif
 @group(0) @binding(4) var<storage, read_write> boids: array<Boid>;
 @group(0) @binding(5) var<storage, read> obstacles: array<Obstacle>;
 @group(0) @binding(6) var<uniform> winds: array<Wind, MOST_WINDS>;
@@ -95,32 +103,80 @@ fn keep_nearest(who: vec3<u32>, count: u32) {
     }
 }
 
+#if WIDE == true
+fn sorted_boid(at: u32) -> Boid {
+    return boid_of(sorted_boids[at]);
+}
+
+fn place_of(at: u32) -> vec3<f32> {
+    let xy = halves(sorted_boids[at].x);
+    if !DEPTHS {
+        return bitcast<vec3<f32>>(vec3<u32>(xy, 0u));
+    }
+    return bitcast<vec3<f32>>(vec3<u32>(xy, u32(sorted_boids[at].y)));
+}
+
+fn velocity_of(at: u32) -> vec3<f32> {
+    let xy = halves(sorted_boids[at].z);
+    if !DEPTHS {
+        return bitcast<vec3<f32>>(vec3<u32>(xy, 0u));
+    }
+    return bitcast<vec3<f32>>(vec3<u32>(xy, u32(sorted_boids[at].w)));
+}
+#else
+fn sorted_boid(at: u32) -> Boid {
+    return sorted_boids[at];
+}
+
+fn place_of(at: u32) -> vec3<f32> {
+    return bitcast<vec3<f32>>(sorted_boids[at].position_and_flock.xyz);
+}
+
+fn velocity_of(at: u32) -> vec3<f32> {
+    return bitcast<vec3<f32>>(sorted_boids[at].velocity_and_index.xyz);
+}
+#endif
+
 // The way to the boid at that sorted place.
 fn way_to(view: View, at: u32) -> vec3<f32> {
-    let place = bitcast<vec3<f32>>(sorted_boids[at].position_and_flock.xyz);
-    let straight = place - view.motion.position;
+    let straight = place_of(at) - view.motion.position;
     if !TORUS {
         return straight;
     }
     let torus = view.other.torus;
     let inverse = view.other.torus_inverse;
-    return vec3<f32>(
-        nearest_way(straight.x, torus.x, inverse.x),
-        nearest_way(straight.y, torus.y, inverse.y),
-        nearest_way(straight.z, torus.z, inverse.z),
+    let x = nearest_way(straight.x, torus.x, inverse.x);
+    let y = nearest_way(straight.y, torus.y, inverse.y);
+    if !DEPTHS {
+        return vec3<f32>(x, y, 0.0f);
+    }
+    return vec3<f32>(x, y, nearest_way(straight.z, torus.z, inverse.z));
+}
+
+// The sum, of nothing in depth where there is none.
+fn within_depth(sum: Sum) -> Sum {
+    if DEPTHS {
+        return sum;
+    }
+    return Sum(
+        vec3<i32>(sum.high.xy, 0i), vec3<i32>(sum.coarse.xy, 0i), vec3<i32>(sum.fine.xy, 0i),
     );
 }
 
-// What is perceived with the boid at that sorted place.
-fn perceiving_at(perceived: Perceived, view: View, offset: vec3<f32>, squared: f32, at: u32) -> Perceived {
-    let velocity = bitcast<vec3<f32>>(sorted_boids[at].velocity_and_index.xyz);
+// What is perceived with one more, whose velocity is that.
+fn perceiving_one(perceived: Perceived, view: View, offset: vec3<f32>, squared: f32, velocity: vec3<f32>) -> Perceived {
     let own = view.motion.velocity;
-    return perceiving(perceived, view.relation, view.other, offset, squared, own, velocity);
+    let more = perceiving(perceived, view.relation, view.other, offset, squared, own, velocity);
+    return Perceived(more.count, within_depth(more.away), within_depth(more.along), within_depth(more.toward));
 }
 
-// The same, if it is near.
-fn visited(perceived: Perceived, view: View, at: u32) -> Perceived {
+// What is perceived with the boid at that sorted place, if it is near and its place before `end`.
+fn visited(perceived: Perceived, view: View, place: u32, end: u32) -> Perceived {
+    // Who looks does not see itself.
+    let at = select(view.own, place, place < end);
     let offset = way_to(view, at);
+    // Loads that only some lanes make cost software drivers more than those of all.
+    let velocity = velocity_of(at);
     let squared = dot3(offset, offset);
     if at == view.own || !less(squared, view.relation.reach.x) {
         return perceived;
@@ -129,29 +185,43 @@ fn visited(perceived: Perceived, view: View, at: u32) -> Perceived {
         return perceived;
     }
     if NEAREST && view.relation.kinds.w > 0u {
-        let index = sorted_boids[at].velocity_and_index.w;
+        let index = sorted_boid(at).velocity_and_index.w;
         keep_nearest(vec3<u32>(bits_of(squared), index, at), view.relation.kinds.w);
         return perceived;
     }
-    return perceiving_at(perceived, view, offset, squared, at);
+    return perceiving_one(perceived, view, offset, squared, velocity);
 }
 
-fn visited_four(perceived: Perceived, view: View, at: u32) -> Perceived {
-    let two = visited(visited(perceived, view, at), view, at + 1u);
-    return visited(visited(two, view, at + 2u), view, at + 3u);
+fn visited_four(perceived: Perceived, view: View, at: u32, end: u32) -> Perceived {
+    let two = visited(visited(perceived, view, at, end), view, at + 1u, end);
+    return visited(visited(two, view, at + 2u, end), view, at + 3u, end);
 }
 
-// What is perceived with the boids of sorted places from .x up to .y; of crowds, sixteen a turn, for
-// a million may be in one cell.
+fn visited_sixteen(perceived: Perceived, view: View, at: u32, end: u32) -> Perceived {
+    let eight = visited_four(visited_four(perceived, view, at, end), view, at + 4u, end);
+    return visited_four(visited_four(eight, view, at + 8u, end), view, at + 12u, end);
+}
+
+// What is perceived with the boids of sorted places from .x up to .y; of crowds several a turn, for a
+// million may be in one cell. Loops that look at their end first are gone through once more by software
+// drivers, when all lanes have reached it.
 fn visited_all(perceived: Perceived, view: View, range: vec2<u32>) -> Perceived {
     var all = perceived;
     var at = range.x;
-    for (; CROWDS && at + 16u <= range.y; at += 16u) {
-        let eight = visited_four(visited_four(all, view, at), view, at + 4u);
-        all = visited_four(visited_four(eight, view, at + 8u), view, at + 12u);
-    }
-    for (; at < range.y; at += 1u) {
-        all = visited(all, view, at);
+    loop {
+        if THRONGS {
+            all = all_carried(visited_sixteen(all, view, at, range.y));
+            at += 16u;
+        } else if CROWDS {
+            all = all_carried(visited_four(all, view, at, range.y));
+            at += 4u;
+        } else {
+            all = visited(all, view, at, range.y);
+            at += 1u;
+        }
+        continuing {
+            break if at >= range.y;
+        }
     }
     return all;
 }
@@ -212,7 +282,8 @@ fn look(view: View) -> Perceived {
         let at = nearest[slot].z;
         if at != 0xffffffffu {
             let offset = way_to(view, at);
-            perceived = perceiving_at(perceived, view, offset, dot3(offset, offset), at);
+            let squared = dot3(offset, offset);
+            perceived = perceiving_one(perceived, view, offset, squared, velocity_of(at));
         }
     }
     return perceived;
@@ -273,8 +344,9 @@ fn steer(@builtin(global_invocation_id) global_id: vec3<u32>) {
         return;
     }
     let own = flock.members.x + at;
-    let position_bits = sorted_boids[own].position_and_flock;
-    let velocity_bits = sorted_boids[own].velocity_and_index;
+    let boid = sorted_boid(own);
+    let position_bits = boid.position_and_flock;
+    let velocity_bits = boid.velocity_and_index;
     let motion = Motion(bitcast<vec3<f32>>(position_bits.xyz), bitcast<vec3<f32>>(velocity_bits.xyz));
     let heading = normalize_exact(motion.velocity);
     var acceleration = flock.acceleration.xyz;

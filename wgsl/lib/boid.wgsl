@@ -3,7 +3,7 @@
 #define_import_path motes::boid
 
 #import motes::exact::{dot3, floor_exact, inverse_square_root, less, less_equal, max_exact, square_root}
-#import motes::layout::{EDGES_BOUNCE, EDGES_INWARD, EDGES_TORUS, EDGES_WRAP, FlockFrame}
+#import motes::layout::{Boid, EDGES_BOUNCE, EDGES_INWARD, EDGES_TORUS, EDGES_WRAP, FlockFrame}
 #import motes::rng::{pcg4d, signed_float, unit_float}
 #import motes::transcendental::{cos_turns, sin_turns}
 
@@ -16,6 +16,18 @@ const STREAM_HEADING: u32 = 1u;
 struct Motion {
     position: vec3<f32>,
     velocity: vec3<f32>,
+}
+
+// The lower and the upper half of a word of 64 bits.
+fn halves(word: u64) -> vec2<u32> {
+    return vec2<u32>(u32(word), u32(word >> 32u));
+}
+
+// A boid of four words of 64 bits, as adapters that have them load it.
+fn boid_of(words: vec4<u64>) -> Boid {
+    return Boid(
+        vec4<u32>(halves(words.x), halves(words.y)), vec4<u32>(halves(words.z), halves(words.w)),
+    );
 }
 
 // v, no longer than the limit, which is at least 2^-20.

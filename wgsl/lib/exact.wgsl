@@ -24,6 +24,12 @@ const INVERSE_SQUARE_ROOT_START: u32 = 0x5f375a86u;
 // 2^30 and 2^24.
 const INTEGER_LIMIT: f32 = 1073741824.0f;
 const EXACT_INTEGER_LIMIT: u32 = 16777216u;
+// 1.5 * 2^39, around which floats are 2^16 apart, and 1.5 * 2^23, around which they are 1 apart;
+// their bits.
+const COARSE_ORIGIN: f32 = 824633720832.0f;
+const COARSE_BITS: i32 = 0x53400000i;
+const FINE_ORIGIN: f32 = 12582912.0f;
+const FINE_BITS: i32 = 0x4b400000i;
 
 // x, or +0 where |x| < 2^-40. Every float is snapped before it is stored.
 fn snap(x: f32) -> f32 {
@@ -107,6 +113,23 @@ fn to_i32(x: f32) -> i32 {
 // that is no number gives 0.
 fn to_u32(x: f32) -> u32 {
     return u32(i32(select(at_least_zero(x), INTEGER_LIMIT, x > INTEGER_LIMIT)));
+}
+
+// Whole numbers of two limbs each: 65,536 .coarse + .fine.
+struct Limbs3 {
+    coarse: vec3<i32>,
+    fine: vec3<i32>,
+}
+
+// v to the nearest whole numbers, of two the even one, up to 2^37 of either sign; |.fine| is at most
+// 2^15. Additions round to the steps of floats as large as the origins; both differences are exact.
+fn limbs3(v: vec3f) -> Limbs3 {
+    let coarse = v + vec3f(COARSE_ORIGIN);
+    let fine = (v - (coarse - vec3f(COARSE_ORIGIN))) + vec3f(FINE_ORIGIN);
+    return Limbs3(
+        bitcast<vec3<i32>>(coarse) - vec3<i32>(COARSE_BITS),
+        bitcast<vec3<i32>>(fine) - vec3<i32>(FINE_BITS),
+    );
 }
 
 // i clamped to -2^24 ..= 2^24, where every integer has its float.

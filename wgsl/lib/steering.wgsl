@@ -1,11 +1,11 @@
 // Steering (Reynolds 1987, as the flocking article has it): the way a boid wants, less the way it
-// goes, limited. Sums over neighbours are integers of 64 bits, so that they depend neither on the
-// order of the neighbours nor on the grid. Reads and writes no buffers.
+// goes, limited. Sums over neighbours are integers, so that they depend neither on the order of the
+// neighbours nor on the grid. Reads and writes no buffers.
 // Twin of src/cpu/steering.rs.
 #define_import_path motes::steering
 
 #import motes::boid::limited
-#import motes::exact::{dot3, f32_of_u32, inverse_square_root, less, min_exact, normalize_exact, to_i32}
+#import motes::exact::{dot3, f32_of_u32, inverse_square_root, less, limbs3, min_exact, normalize_exact}
 #import motes::layout::{FlockFrame, RELATION_AVOID, RELATION_FLOCK, Relation, SUM_STEPS}
 
 // Inverse of SUM_STEPS.
@@ -14,10 +14,12 @@ const SUM_STEP: f32 = 1.8626451e-9f;
 const MOST_NEARNESS: f32 = 512.0f;
 const NEARNESS_STEPS: f32 = 1048576.0f;
 
-// Three sums of 64 bits, in two's complement.
+// Three sums: 2^32 .high + 2^16 .coarse + .fine. The lower limbs hold 60,000 terms before they have to
+// be carried.
 struct Sum {
-    low: vec3<u32>,
     high: vec3<i32>,
+    coarse: vec3<i32>,
+    fine: vec3<i32>,
 }
 
 // What a boid perceives of a flock.
@@ -32,20 +34,34 @@ struct Perceived {
 }
 
 fn nothing() -> Perceived {
-    let zero = Sum(vec3<u32>(0u), vec3<i32>(0i));
+    let zero = Sum(vec3<i32>(0i), vec3<i32>(0i), vec3<i32>(0i));
     return Perceived(0u, zero, zero, zero);
 }
 
 // The sum with a term more, to the nearest step.
 fn plus(sum: Sum, term: vec3<f32>) -> Sum {
-    let steps = vec3<i32>(to_i32(term.x + 0.5f), to_i32(term.y + 0.5f), to_i32(term.z + 0.5f));
-    let bits = bitcast<vec3<u32>>(steps);
-    let low = sum.low + bits;
-    let carry = select(vec3<i32>(0i), vec3<i32>(1i), low < bits);
-    return Sum(low, sum.high + (steps >> vec3<u32>(31u)) + carry);
+    let limbs = limbs3(term);
+    return Sum(sum.high, sum.coarse + limbs.coarse, sum.fine + limbs.fine);
 }
 
-// What two limbs hold, in units: a step is SUM_STEP of one.
+// The same sum, its lower limbs in 0 .. 2^16.
+fn carried(sum: Sum) -> Sum {
+    let coarse = sum.coarse + (sum.fine >> vec3<u32>(16u));
+    return Sum(
+        sum.high + (coarse >> vec3<u32>(16u)),
+        coarse & vec3<i32>(0xffffi),
+        sum.fine & vec3<i32>(0xffffi),
+    );
+}
+
+// The same, its sums carried.
+fn all_carried(perceived: Perceived) -> Perceived {
+    return Perceived(
+        perceived.count, carried(perceived.away), carried(perceived.along), carried(perceived.toward),
+    );
+}
+
+// What 64 bits hold, in units: a step is SUM_STEP of one.
 fn value_of(low: u32, high: i32) -> f32 {
     let negative = high < 0i;
     let below = select(low, ~low + 1u, negative);
@@ -56,10 +72,12 @@ fn value_of(low: u32, high: i32) -> f32 {
 }
 
 fn values_of(sum: Sum) -> vec3<f32> {
+    let all = carried(sum);
+    let low = bitcast<vec3<u32>>((all.coarse << vec3<u32>(16u)) | all.fine);
     return vec3<f32>(
-        value_of(sum.low.x, sum.high.x),
-        value_of(sum.low.y, sum.high.y),
-        value_of(sum.low.z, sum.high.z),
+        value_of(low.x, all.high.x),
+        value_of(low.y, all.high.y),
+        value_of(low.z, all.high.z),
     );
 }
 
@@ -82,21 +100,24 @@ fn perceiving(
     own: vec3<f32>,
     velocity: vec3<f32>,
 ) -> Perceived {
-    var more = perceived;
-    more.count += 1u;
-    if relation.kinds.x == RELATION_FLOCK {
-        // Zero for one that is at the same place.
-        let inverse = inverse_square_root(squared);
-        let nearness = min_exact(inverse * relation.reach.y, MOST_NEARNESS) * NEARNESS_STEPS;
-        let factor = select(SUM_STEPS, nearness, relation.kinds.z == 1u);
-        more.away = plus(perceived.away, -offset * inverse * factor);
-        more.along = plus(perceived.along, velocity * other.grid_min.w);
-        more.toward = plus(perceived.toward, offset * relation.reach.z);
-        return more;
-    }
+    // Straight code for all kinds, for software drivers go through both branches: what is not asked for
+    // is added up in vain.
+    let flocks = relation.kinds.x == RELATION_FLOCK;
     let push = select(offset, -offset - own, relation.kinds.x == RELATION_AVOID);
-    more.away = plus(perceived.away, limited(push, relation.separation.w) * relation.reach.w);
-    return more;
+    let length_squared = select(dot3(push, push), squared, flocks);
+    // Zero for one that is at the same place.
+    let inverse = inverse_square_root(length_squared);
+    let nearness = min_exact(inverse * relation.reach.y, MOST_NEARNESS) * NEARNESS_STEPS;
+    let steps = select(SUM_STEPS, nearness, relation.kinds.z == 1u);
+    let limit = relation.separation.w;
+    let slowed = select(1.0f, limit * inverse, less(limit * limit, length_squared));
+    let pushed = select(push, -offset, flocks) * select(slowed, inverse, flocks);
+    return Perceived(
+        perceived.count + 1u,
+        plus(perceived.away, pushed * select(relation.reach.w, steps, flocks)),
+        plus(perceived.along, velocity * other.grid_min.w),
+        plus(perceived.toward, offset * relation.reach.z),
+    );
 }
 
 // A rule's acceleration: the wanted velocity less the own, at most the limit. Where there is no
