@@ -49,9 +49,9 @@
 //! 7. *kindle*: the roots of flames, by hash of who each is, moved with their fires. *trace*: the way
 //!    of each flame's particle through this frame's wind, 25 steps; flames have no past.
 //!    *gather*, where there is a surface: a few point lights that stand for them. *ground*: a plane
-//!    behind everything, and pillars on it, in that light.
+//!    behind everything, in that light.
 //! 8. *surface*: triangles, by four samples a pixel: how near the nearest is, then which it is, by
-//!    integer atomics; those that are seen, lit. What follows is hidden where it is behind them.
+//!    integer atomics; those that are seen, lit, and pillars. What follows is hidden where it is behind them.
 //!    *shade*: clouds, in cells of a box along the light: how much of it comes to each.
 //! 9. *shapes*: what covers what is behind it, one record a particle, a boid or a segment of its trail,
 //!    several for a particle's whole trajectory ([`layout::Cover`]).

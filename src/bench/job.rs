@@ -10,7 +10,7 @@ const MOST_BIRTHS: f32 = 16e6;
 const MOST_BOIDS: u32 = 1_000_000;
 
 /// Most flames of a scene, as scene files have it.
-const MOST_FLAMES: u32 = 100_000;
+const MOST_FLAMES: u32 = 1_000_000;
 
 /// What is to be measured.
 #[derive(Clone, Copy, Debug)]

@@ -124,24 +124,37 @@ impl Lane {
 
     /// Draws alone, again: what that took without making it dark and turning light into bytes.
     pub(super) fn splat_ms(&mut self, inputs: &FrameInputs) -> Result<f64, BackendError> {
-        let is_splat = |name: &str| stages_of(name).any(|stage| stage == Stage::Splat);
+        self.stages_ms(&[Stage::Splat], inputs)
+    }
+
+    /// Draws, and tells what these stages took, of which no kernel is another's.
+    pub(super) fn stages_ms(
+        &mut self,
+        wanted: &[Stage],
+        inputs: &FrameInputs,
+    ) -> Result<f64, BackendError> {
+        let is_wanted = |name: &str| stages_of(name).any(|stage| wanted.contains(&stage));
         match &mut self.backend {
             Bound::Cpu(cpu) => {
                 let begun = Instant::now();
-                cpu.run_stage(Stage::Splat, inputs)?;
+                for stage in wanted {
+                    cpu.run_stage(*stage, inputs)?;
+                }
                 Ok(ms_since(begun))
             }
             Bound::Gpu(gpu) if gpu.is_timed() => {
                 gpu.draw(inputs)?;
                 let times = gpu.take_times()?.into_iter().flatten();
                 Ok(times
-                    .filter(|(name, _)| is_splat(name))
+                    .filter(|(name, _)| is_wanted(name))
                     .map(|(_, ms)| ms)
                     .sum())
             }
             Bound::Gpu(gpu) => {
                 let begun = Instant::now();
-                gpu.run_stage(Stage::Splat, inputs)?;
+                for stage in wanted {
+                    gpu.run_stage(*stage, inputs)?;
+                }
                 Ok(ms_since(begun))
             }
         }

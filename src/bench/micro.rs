@@ -8,6 +8,7 @@ use std::time::Instant;
 use super::budget::Budget;
 use super::copy::{Copy, CpuCopy, Fastest};
 use super::error::BenchError;
+use super::flames::{FLAME_SIZES, FlameSize};
 use super::lane::Lane;
 use super::record::Measure;
 use super::run::{Progress, Watch};
@@ -16,7 +17,8 @@ use super::spread::{Clock, Spread};
 use super::target::Target;
 use super::yard::{Rates, Yard, YardTimes};
 use crate::backend::BackendError;
-use crate::plan::FrameInputs;
+use crate::layout::FLAME_STEPS;
+use crate::plan::{FrameInputs, Stage};
 
 /// The part of the time for a scene that one kernel may take.
 const PART_OF_TIME: f64 = 0.2;
@@ -72,7 +74,7 @@ impl Entry {
 
 /// Measures kernels alone, over so many particles or records (1 ..= 10^9), on one target: the
 /// fastest copy, in all its forms; the interface's own copy; reads, writes, atomic additions; a
-/// sample of noise; the prefix sum; the splat of each shape; and what the device's own rasteriser
+/// sample of noise; the prefix sum; the splat of each shape; flames of each size; and what the device's own rasteriser
 /// needs for the same picture. The first is always `copy_kernel`, the second `copy_buffer`. Shares
 /// are of copies that fit in no cache, measured beside them.
 ///
@@ -110,6 +112,9 @@ pub(super) fn micro_in(
     };
     for shape in SHAPES {
         entries.push(splat(target, shape, (particles / shape.share).max(1))?);
+    }
+    for size in FLAME_SIZES {
+        entries.push(flames(target, size, particles)?);
     }
     if let Target::Gpu(device) = target {
         entries.extend(gpu::rasters(device, particles)?);
@@ -236,5 +241,22 @@ fn splat(
     Ok(Entry {
         covered_px: Some(covered),
         ..Entry::new(shape.name, particles.into(), bytes, run).noted(shape.about())
+    })
+}
+
+/// Items are the particles along flames, each a fan of triangles.
+fn flames(target: &Target, size: &FlameSize, particles: u32) -> Result<Entry, BenchError> {
+    let (mut lane, inputs): (Lane, FrameInputs) = size.lane(target, particles)?;
+    let clock = lane.clock();
+    let count = size.flames(particles);
+    let covered = size.covered_px() * f64::from(count);
+    let fans = u64::from(count * FLAME_STEPS);
+    // A fan's place is read, and it is written and read as it is seen.
+    let bytes = fans * (16 + 2 * 48);
+    let stages = [Stage::FlameDiscs, Stage::Glow];
+    let run = Box::new(move || Ok((lane.stages_ms(&stages, &inputs)?, clock)));
+    Ok(Entry {
+        covered_px: Some(covered),
+        ..Entry::new(size.name, fans, bytes, run).noted(size.about())
     })
 }

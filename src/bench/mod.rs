@@ -7,7 +7,7 @@
 //! | `run.rs` | that on several targets, frame by frame in turn, [`run()`]; `lane.rs` is one of them |
 //! | `steady.rs` | from which frame on |
 //! | `told.rs` | what is told of a run |
-//! | `micro.rs` | kernels alone, [`micro()`]; `splats.rs` has what the splat is given |
+//! | `micro.rs` | kernels alone, [`micro()`]; `splats.rs` has what the splat is given, `flames.rs` what flames are |
 //! | `yard.rs` | the copies that all else is held against; `copy.rs` is one of them |
 //! | `budget.rs` | when to stop: [`Budget`] |
 //! | `record.rs` | the record: what `motes bench --json` writes, [`Record`] |
@@ -46,6 +46,7 @@ pub use csv::csv;
 mod budget;
 mod copy;
 mod error;
+mod flames;
 mod job;
 mod lane;
 mod machine;

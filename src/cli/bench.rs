@@ -27,7 +27,7 @@ pub(super) struct BenchArgs {
     /// TOML files, or names of built-in scenes [default: million; none with --micro]
     #[arg(value_name = "SCENE", value_parser = SceneName, hide_possible_values = true)]
     scenes: Vec<String>,
-    /// Measure kernels alone: copies, reads, atomics, noise, scan, splats, the rasteriser
+    /// Measure kernels alone: copies, reads, atomics, noise, scan, splats, flames, the rasteriser
     #[arg(long)]
     micro: bool,
     /// How many particles live, e.g. 1e5,1e6: scenes with `steady_particles` are scaled to them, and

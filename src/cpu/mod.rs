@@ -129,7 +129,7 @@ impl CpuBackend {
             })?;
         let rows = plan.system_count as usize * plan.row_count as usize;
         let pixels = plan.width as usize * plan.height as usize;
-        let surface_pixels = if plan.surface_count > 0 { pixels } else { 0 };
+        let surface_pixels = if plan.uses.surfaces { pixels } else { 0 };
         let covered_pixels = if plan.uses.covers { pixels } else { 0 };
         Ok(Self {
             rows: try_zeroed(rows, "parameter rows")?,

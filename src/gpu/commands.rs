@@ -61,7 +61,7 @@ enum Work {
     Fires,
     /// One a flame that control points may have dropped.
     Dropped,
-    /// One a flame of any fire.
+    /// Page by page, one a flame of any fire, told which is the first.
     Flames,
     /// The same, told that it is of no details.
     FlameDiscs,
@@ -93,15 +93,15 @@ enum Work {
     FlameSteps,
     /// One a piece that flames may light, told how many.
     Pieces,
-    /// As many for each flame as share it.
+    /// Page by page, as many for each flame as share it.
     FlameShares,
-    /// In each pass of details: one a flame, and as many for each as share it.
+    /// In each pass of details, page by page: one a flame, and as many for each as share it.
     DetailFlames,
     /// As above.
     DetailShares,
     /// One for each point light that there may be, told how many fires there are.
     FlameLights,
-    /// One a pixel, if there are surfaces.
+    /// One a pixel, if there are surfaces or pillars.
     CoveredSurfaces,
     /// One a triangle of all surfaces, told whether nearness is known (1).
     SurfaceFaces(u32),
@@ -848,18 +848,35 @@ impl GpuBackend {
                 let count = plan.spreads.piece_count();
                 push(0, 0, &[count], direct(count))
             }
-            Work::Flames => push(0, 0, &[plan.flame_count], direct(plan.flame_count)),
+            Work::Flames => (0..).zip(self.memory.flame_paging.pages()).try_for_each(
+                |(page, (first, count))| push(page, 0, &[count, first], direct(count)),
+            ),
             Work::FlameLights => push(0, 0, &[plan.fire_count], direct(FLAME_LIGHTS)),
-            Work::FlameDiscs => push(0, 0, &[plan.flame_count, 0, 0], direct(plan.flame_count)),
-            Work::DetailFlames => {
-                let DetailPass { octave, copy } = DetailPass::nth(turn);
-                let told = [plan.flame_count, octave, copy];
-                push(0, 0, &told, direct(plan.flame_count))
+            Work::FlameDiscs | Work::DetailFlames => {
+                let DetailPass { octave, copy } = match kernel_use.work {
+                    Work::DetailFlames => DetailPass::nth(turn),
+                    _ => DetailPass::default(),
+                };
+                (0..).zip(self.memory.flame_paging.pages()).try_for_each(
+                    |(page, (first, count))| {
+                        push(page, 0, &[count, first, octave, copy], direct(count))
+                    },
+                )
             }
             Work::FlameShares | Work::DetailShares => {
                 let shares = shares_of(plan);
-                let size = direct(plan.flame_count * shares);
-                push(0, 0, &[plan.flame_count, shares], size)
+                (0..).zip(self.memory.flame_paging.pages()).try_for_each(
+                    |(page, (first, count))| {
+                        let told = [count, shares, first];
+                        let known = if kernel == "draw/strips" { 3 } else { 2 };
+                        push(page, 0, &told[..known], direct(count * shares))
+                    },
+                )
+            }
+            Work::SurfaceFaces(_) | Work::OnceShared | Work::SurfaceShares(_)
+                if plan.surface_count == 0 =>
+            {
+                Ok(())
             }
             Work::SurfaceFaces(names) => {
                 let faces = plan.surface_face_count;
@@ -921,7 +938,7 @@ impl GpuBackend {
                 let size = Size::Indirect(paging.splat_dispatch(page));
                 push(page as usize, 0, &[page, is_behind], size)
             }),
-            Work::CoveredSurfaces if plan.surface_count == 0 => Ok(()),
+            Work::CoveredSurfaces if !plan.uses.surfaces => Ok(()),
             Work::EachPixel | Work::CoveredSurfaces => {
                 push(0, 0, &[], direct(plan.width * plan.height))
             }
@@ -957,7 +974,10 @@ impl GpuBackend {
                 "words" => pages.words,
                 "sort_pairs" if pages.swaps => Some(self.memory.named("sorted_pairs")?),
                 "sorted_pairs" if pages.swaps => Some(self.memory.named("sort_pairs")?),
-                name => Some(self.memory.named(name)?),
+                name => match self.memory.flame_pages(name) {
+                    Some(flame_pages) => flame_pages.get(pages.at[0]),
+                    None => Some(self.memory.named(name)?),
+                },
             };
             let buffer = page.ok_or_else(|| {
                 BackendError::Internal(format!("{kernel_name}: no page for `{}`", binding.name))

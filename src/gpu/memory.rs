@@ -17,6 +17,21 @@ const PAGE_GRAIN: u32 = 2048;
 /// writes the dispatches of all pairs of pages.
 const MOST_DISPATCHES: u32 = 60_000;
 
+/// A page holds a multiple of this many flames: whole runs of an invocation's neighbours.
+const FLAME_GRAIN: u32 = 32;
+
+/// Flames a page at most: as many invocations as share them in the largest picture can be counted.
+const MOST_FLAMES: u64 = 1 << 16;
+
+/// What is there of each flame in pages of so many; the flames themselves are in one.
+const FLAME_PAGED: [&str; 5] = [
+    "flame_steps",
+    "flame_discs",
+    "flame_skews",
+    "strip_joints",
+    "flame_bounds",
+];
+
 /// Bytes a particle.
 const PARTICLE_BYTES: u64 = size_of::<Particle>() as u64;
 
@@ -75,14 +90,62 @@ impl Paging {
     }
 }
 
+/// How what is there of each flame is cut into pages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct FlamePaging {
+    /// Flames of all pages.
+    flame_count: u32,
+    /// Flames a page but the last, which may have fewer.
+    page_len: u32,
+}
+
+impl FlamePaging {
+    /// Pages of which no buffer has more than `most_bytes`. What may catch fire is looked for among
+    /// all steps at once: then there is one page.
+    fn new(plan: &Plan, most_bytes: u64) -> Self {
+        let most = FLAME_PAGED.iter().map(|name| bytes_a_flame(name, plan));
+        let fits = (most_bytes / most.max().unwrap_or(0).max(1)).min(MOST_FLAMES) as u32;
+        let page_len = match plan.spreads.piece_count() {
+            0 => (fits / FLAME_GRAIN * FLAME_GRAIN).max(FLAME_GRAIN),
+            _ => u32::MAX,
+        };
+        Self {
+            flame_count: plan.flame_count,
+            page_len,
+        }
+    }
+
+    /// The first flame of each page, and how many it has; a page of none where there are no flames.
+    pub(super) fn pages(self) -> impl Iterator<Item = (u32, u32)> {
+        let page_count = self.flame_count.div_ceil(self.page_len).max(1);
+        (0..page_count).map(move |page| {
+            let first = page * self.page_len;
+            (first, self.page_len.min(self.flame_count - first))
+        })
+    }
+}
+
+/// Bytes of such a buffer for each flame.
+fn bytes_a_flame(name: &str, plan: &Plan) -> u64 {
+    let declared = crate::plan::buffer(name);
+    let bytes = declared.and_then(|declared| {
+        let records = u64::from(declared.records(plan)?);
+        Some(records * u64::from(declared.stride))
+    });
+    bytes.unwrap_or(0) / u64::from(plan.flame_count.max(1))
+}
+
 /// All buffers of a run.
 #[derive(Debug)]
 pub(super) struct Memory {
     pub(super) paging: Paging,
+    pub(super) flame_paging: FlamePaging,
     pub(super) tiling: Tiling,
     pub(super) pools: [Vec<wgpu::Buffer>; 2],
     /// For each page, the particles that are no small discs: two counts, their copies, indices.
     pub(super) large: Vec<wgpu::Buffer>,
+    /// Those of [`FLAME_PAGED`], page by page.
+    flames: HashMap<&'static str, Vec<wgpu::Buffer>>,
     named: HashMap<&'static str, wgpu::Buffer>,
     /// Whether light is there before the splat: that of particles behind the planet.
     has_planet: bool,
@@ -104,6 +167,7 @@ impl Memory {
             .max_storage_buffer_binding_size
             .min(limits.max_buffer_size);
         let paging = Paging::new(plan.capacity, most_page_bytes.min(most_binding));
+        let flame_paging = FlamePaging::new(plan, most_page_bytes.min(most_binding));
         if paging.dispatches() > MOST_DISPATCHES {
             return Err(BackendError::Unsupported(format!(
                 "{} particles in pages of {} are too many pages",
@@ -115,8 +179,14 @@ impl Memory {
         let pooled = iter::repeat_n(("particles", page_bytes), 2 * pages);
         let large_bytes = (u64::from(paging.page_len) + 4) * 4;
         let large = iter::repeat_n(("large_particles", large_bytes), pages);
+        let of_flames = FLAME_PAGED.iter().flat_map(|name| {
+            let each = bytes_a_flame(name, plan);
+            let pages = flame_paging.pages();
+            pages.map(move |(_, count)| (*name, u64::from(count) * each))
+        });
         let single = BUFFERS.iter().filter(|declared| {
             declared.name != "large_particles"
+                && !FLAME_PAGED.contains(&declared.name)
                 && !matches!(declared.count, Count::ParticlesOver(1))
                 && (wide || declared.name != "light_packed")
         });
@@ -139,6 +209,7 @@ impl Memory {
         // Digests look at whole vectors of four words.
         let sizes: Vec<(&'static str, u64)> = pooled
             .chain(large)
+            .chain(of_flames)
             .chain(named)
             .map(|(name, size)| (name, size.next_multiple_of(16).max(16)))
             .collect();
@@ -151,13 +222,16 @@ impl Memory {
         check_available(gpu, bytes)?;
         let mut buffers = allocate(gpu, &sizes, bytes)?.into_iter();
         let mut next = |count| buffers.by_ref().take(count).collect::<Vec<_>>();
+        let flame_pages = flame_paging.pages().count();
         debug_assert_eq!(size_of::<Dispatch>(), 12);
         Ok(Self {
             paging,
+            flame_paging,
             tiling,
             pools: [next(pages), next(pages)],
             large: next(pages),
-            named: sizes[3 * pages..]
+            flames: FLAME_PAGED.map(|name| (name, next(flame_pages))).into(),
+            named: sizes[3 * pages + FLAME_PAGED.len() * flame_pages..]
                 .iter()
                 .map(|(name, _)| *name)
                 .zip(buffers)
@@ -173,10 +247,16 @@ impl Memory {
             .iter()
             .flatten()
             .chain(&self.large)
+            .chain(self.flames.values().flatten())
             .chain(self.named.values())
     }
 
-    /// The buffer of that name; the pools are not among them.
+    /// The pages of what is there of each flame, if that is what the name is of.
+    pub(super) fn flame_pages(&self, name: &str) -> Option<&[wgpu::Buffer]> {
+        self.flames.get(name).map(Vec::as_slice)
+    }
+
+    /// The buffer of that name; the pools and the pages of flames are not among them.
     pub(super) fn named(&self, name: &str) -> Result<&wgpu::Buffer, BackendError> {
         self.named
             .get(name)

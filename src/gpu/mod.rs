@@ -236,7 +236,7 @@ impl GpuBackend {
             has_ground: plan.uses.ground,
             has_skews: plan.uses.skews,
             has_strips: plan.uses.strips,
-            has_surfaces: plan.surface_count > 0,
+            has_surfaces: plan.uses.surfaces,
             shade_cells: plan.shade_cells,
             current: 0,
             newborns_present: false,

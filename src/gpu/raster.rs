@@ -1,5 +1,5 @@
-//! The device's own rasteriser, to hold the splat against: particles as points or as quads, added
-//! up by blending.
+//! The device's own rasteriser, to hold the splat and the glow of flames against: particles as points or as
+//! quads, and those of flames as fans, added up by blending.
 
 use super::device::GpuDevice;
 use super::shader::sources::RASTERS;
@@ -15,6 +15,14 @@ pub enum RasterShape {
     Quads {
         /// Thousandths of a pixel.
         radius_millipixels: u32,
+    },
+    /// 20 triangles around the centre of each of the 25 particles along upright flames (Perry 1994, 3.2.1),
+    /// of which half the width and the height are so many pixels.
+    Fans {
+        /// Half the width, before what its ages scale it by.
+        half_width_px: u32,
+        /// From the root to the tip.
+        height_px: u32,
     },
 }
 
@@ -75,9 +83,13 @@ impl Raster {
         size_px: [u32; 2],
     ) -> Self {
         let device = &gpu.device;
-        let radius = match shape {
-            RasterShape::Points => 0.0,
-            RasterShape::Quads { radius_millipixels } => radius_millipixels as f32 * 1e-3,
+        let (radius, rise) = match shape {
+            RasterShape::Points => (0.0, 0.0),
+            RasterShape::Quads { radius_millipixels } => (radius_millipixels as f32 * 1e-3, 0.0),
+            RasterShape::Fans {
+                half_width_px,
+                height_px,
+            } => (half_width_px as f32, height_px as f32),
         };
         let [width, height] = size_px;
         let parameters = device.create_buffer(&wgpu::BufferDescriptor {
@@ -86,7 +98,7 @@ impl Raster {
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        let values = [width as f32, height as f32, radius, 0.0];
+        let values = [width as f32, height as f32, radius, rise];
         gpu.queue
             .write_buffer(&parameters, 0, bytemuck::cast_slice(&values));
         // Points use nothing of it; the layout is the same for both.
@@ -129,6 +141,7 @@ impl Raster {
         let (vertices, instances) = match shape {
             RasterShape::Points => (particles, 1),
             RasterShape::Quads { .. } => (6, particles),
+            RasterShape::Fans { .. } => (60, particles),
         };
         Self {
             pipeline,
@@ -190,6 +203,11 @@ fn pipeline(
         RasterShape::Quads { .. } => (
             "quad_vertex",
             "quad_light",
+            wgpu::PrimitiveTopology::TriangleList,
+        ),
+        RasterShape::Fans { .. } => (
+            "fan_vertex",
+            "fan_light",
             wgpu::PrimitiveTopology::TriangleList,
         ),
     };

@@ -86,6 +86,16 @@ impl GpuBackend {
             let own = (self.system_count - self.node_count) as usize * stride;
             return Ok(systems.split_off(own));
         }
+        if let Some(pages) = self.memory.flame_pages(buffer) {
+            let mut words_left = self.flame_words(buffer);
+            let mut present = Vec::new();
+            for page in pages {
+                let here = (words_left * 4).min(page.size());
+                present.extend(words(&self.gpu, page, here)?);
+                words_left -= here / 4;
+            }
+            return Ok(present);
+        }
         let whole = self.memory.named(buffer)?;
         let pixels = u64::from(self.width) * u64::from(self.height);
         let records = match buffer {
@@ -95,12 +105,6 @@ impl GpuBackend {
             "boids" | "sorted_boids" => u64::from(self.boid_count) * BOID_WORDS,
             "boid_trails" => u64::from(self.boid_trail_count) * 4,
             "flames" => u64::from(self.flame_count) * FLAME_WORDS,
-            "flame_bounds" => u64::from(self.flame_count) * 4,
-            "flame_steps" => u64::from(self.flame_count * FLAME_STEPS) * 4,
-            "flame_discs" => u64::from(self.flame_count * FLAME_STEPS) * DISC_WORDS,
-            "flame_skews" if self.has_skews => u64::from(self.flame_count * FLAME_STEPS) * 2,
-            "strip_joints" if self.has_strips => u64::from(self.flame_count * FLAME_STEPS) * 8,
-            "flame_skews" | "strip_joints" => 0,
             "control_points" => u64::from(self.spread_counts()?.total) * POINT_WORDS,
             // Those that were there before the frame's insertions, as of the last.
             "moved_points" => u64::from(self.moved_count()?) * POINT_WORDS,
@@ -135,6 +139,20 @@ impl GpuBackend {
 }
 
 impl GpuBackend {
+    /// Words of what is there of each flame.
+    fn flame_words(&self, buffer: &str) -> u64 {
+        let steps = u64::from(FLAME_STEPS);
+        let each = match buffer {
+            "flame_bounds" => 4,
+            "flame_steps" => steps * 4,
+            "flame_discs" => steps * DISC_WORDS,
+            "flame_skews" if self.has_skews => steps * 2,
+            "strip_joints" if self.has_strips => steps * 8,
+            _ => 0,
+        };
+        u64::from(self.flame_count) * each
+    }
+
     /// How many control points have moved in the last frame.
     fn moved_count(&self) -> Result<u32, BackendError> {
         let counts = self.spread_counts()?;

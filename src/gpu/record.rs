@@ -86,12 +86,15 @@ impl GpuBackend {
         variable: &str,
     ) -> Result<(String, &wgpu::Buffer), BackendError> {
         let (pages, page) = match variable {
-            "particles" => (&self.memory.pools[self.current], command.pages[0]),
-            "survivors" => (&self.memory.pools[1 - self.current], command.pages[1]),
-            "large_particles" => (&self.memory.large, command.pages[0]),
+            "particles" => (&*self.memory.pools[self.current], command.pages[0]),
+            "survivors" => (&*self.memory.pools[1 - self.current], command.pages[1]),
+            "large_particles" => (&*self.memory.large, command.pages[0]),
             "sort_pairs" if command.swaps => return self.bound_by_name("sorted_pairs"),
             "sorted_pairs" if command.swaps => return self.bound_by_name("sort_pairs"),
-            name => return self.bound_by_name(name),
+            name => match self.memory.flame_pages(name) {
+                Some(pages) => (pages, command.pages[0]),
+                None => return self.bound_by_name(name),
+            },
         };
         let buffer = pages
             .get(page)

@@ -675,10 +675,10 @@ impl Buffer {
             Count::GroundPixels if plan.uses.ground => {
                 (plan.width * plan.height).next_multiple_of(4)
             }
-            Count::SurfacePixels(each) if plan.surface_count > 0 => {
+            Count::SurfacePixels(each) if plan.uses.surfaces => {
                 (plan.width * plan.height).next_multiple_of(4) * each
             }
-            Count::FrontPixels if plan.surface_count > 0 && plan.uses.covers => {
+            Count::FrontPixels if plan.uses.surfaces && plan.uses.covers => {
                 (plan.width * plan.height).next_multiple_of(4)
             }
             Count::SurfaceCorners => plan.surfaces.corners.len() as u32,

@@ -36,7 +36,7 @@ pub enum Stage {
     Catch,
     /// Flames give light to the points that stand for them.
     Lights,
-    /// The ground and the pillars on it, in that light.
+    /// The ground, in that light.
     Ground,
     /// Triangles, lit.
     Surface,
@@ -461,10 +461,10 @@ impl Stage {
             Self::Tree => !inputs.broods.is_empty(),
             Self::Planet => !inputs.planets.is_empty(),
             Self::Ground => !inputs.grounds.is_empty(),
-            Self::Surface => !inputs.surfaces.is_empty(),
+            Self::Surface => !inputs.surface_lights.is_empty(),
             Self::Shade => !inputs.shade_boxes.is_empty(),
             Self::Lights => {
-                let is_lit = !inputs.grounds.is_empty() || !inputs.surfaces.is_empty();
+                let is_lit = !inputs.grounds.is_empty() || !inputs.surface_lights.is_empty();
                 is_lit && !inputs.fires.is_empty()
             }
             Self::Front | Self::Insert => !inputs.spreads.is_empty(),

@@ -173,7 +173,7 @@ pub(super) fn surfaces_of(
     (planets, grounds): (&[Planet], &[Ground]),
     lights: u32,
 ) -> (Vec<SurfaceFrame>, Vec<SurfaceLight>) {
-    if scene.surfaces.is_empty() {
+    if scene.surfaces.is_empty() && scene.pillars.is_empty() {
         return (Vec::new(), Vec::new());
     }
     let with = |v: [f32; 3]| [v[0], v[1], v[2], 0.0].map(snap);

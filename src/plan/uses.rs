@@ -75,9 +75,9 @@ uses! {
     throngs "THRONGS";
     /// A planet, which splits the picture.
     planet "PLANET";
-    /// A ground or pillars behind everything.
+    /// A ground behind everything, or pillars.
     ground "GROUND";
-    /// Meshes that are seen.
+    /// Meshes or pillars that are seen, which hide.
     surfaces "SURFACES";
     /// Surfaces with grain, seen or burning.
     grains "GRAINS";
@@ -208,7 +208,7 @@ impl Uses {
             skews: inputs.fires.iter().any(has_matrix),
             strips: inputs.fires.iter().any(is_strip),
             ground: !inputs.grounds.is_empty(),
-            surfaces: !inputs.surfaces.is_empty(),
+            surfaces: !inputs.surfaces.is_empty() || !inputs.pillars.is_empty(),
             grains: inputs
                 .surfaces
                 .iter()

@@ -29,6 +29,7 @@ macro_rules! builtin {
 /// Every built-in scene, by name.
 pub const BUILTIN: &[BuiltinScene] = builtin![
     "bench-discs",
+    "bench-flames",
     "bench-free",
     "bench-points",
     "bench-streaks",

@@ -181,7 +181,7 @@ fn meshes_fit(plan: &Plan, inputs: &FrameInputs) -> bool {
     inputs.surfaces.len() == plan.surface_count as usize
         && inputs.surfaces.iter().all(&mut is_own)
         && before == u64::from(plan.surface_face_count)
-        && inputs.surface_lights.len() == usize::from(plan.surface_count > 0)
+        && inputs.surface_lights.len() == usize::from(plan.uses.surfaces)
         && inputs.surface_lights.iter().all(is_right)
 }
 

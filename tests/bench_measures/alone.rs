@@ -37,6 +37,10 @@ fn kernels_alone_have_the_work_that_they_say() {
         let splats = ["points", "discs_small", "streaks", "discs_large"];
         let counts = splats.map(|name| of(&measures, &format!("splat_{name}")).items);
         assert_eq!(counts, [3000, 3000, 750, 46]);
+        // Whole flames of 25, one at least.
+        let sizes = ["8", "32", "128"];
+        let fans = sizes.map(|size| of(&measures, &format!("flames_{size}_px")).items);
+        assert_eq!(fans, [175, 25, 25]);
         let pixels = of(&measures, "splat_discs_large")
             .note
             .as_deref()
@@ -58,6 +62,10 @@ fn kernels_alone_have_the_work_that_they_say() {
             assert_eq!(of(&measures, "copy_kernel").ms.median, fastest);
             for name in ["raster_points_half", "raster_quads_half"] {
                 assert_eq!(of(&measures, name).items, 3000, "{name}");
+            }
+            for (size, fans) in sizes.into_iter().zip(fans) {
+                let raster = of(&measures, &format!("raster_fans_{size}_px_half"));
+                assert_eq!(raster.items, fans, "as many fans, of {size} px");
             }
         } else {
             assert!(

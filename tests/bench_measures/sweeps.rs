@@ -173,7 +173,7 @@ fn scenes_of_fires_alone_scale_by_their_flames() {
                 [[fire]]\nname = \"disc\"\nroots = { kind = \"disc\", radius = 1, count = 50 }\n\
                 [[fire.flame]]\nposition = [0, 0, 0]\n";
     let scene = motes::scene::parse(text, "fires.toml", "fires").expect("a good scene");
-    for flames in [5, 71, 1000, 100_000] {
+    for flames in [5, 71, 1000, 1_000_000] {
         let scaled = job(&scene, flames).scaled().expect("it scales");
         let counts: Vec<u32> = scaled.fires.iter().map(|fire| fire.count()).collect();
         assert_eq!(counts.iter().sum::<u32>(), flames);
@@ -185,7 +185,7 @@ fn scenes_of_fires_alone_scale_by_their_flames() {
     }
     let runs = run(&[Target::Cpu], &job(&scene, 71), &counted(3), &mut |_| true);
     assert_eq!(runs.expect("it is measured")[0].live, Some(71));
-    for (flames, said) in [(1, "are listed"), (100_001, "at most 100000 flames")] {
+    for (flames, said) in [(1, "are listed"), (1_000_001, "at most 1000000 flames")] {
         let error = job(&scene, flames).scaled().expect_err("it cannot be");
         assert!(
             error.is_users_fault() && error.to_string().contains(said),

@@ -2,12 +2,12 @@
 //! against.
 
 use motes::cpu::fan::{CORNERS, center_share};
-use motes::layout::FLAME_STEPS;
+use motes::layout::{FLAME_STEPS, FlameDisc};
 
 use crate::support::*;
 
 /// A vertex: x, y, then red, green, blue and alpha.
-type Vertex = [f64; 6];
+pub(crate) type Vertex = [f64; 6];
 
 /// Triangles around a centre, their rim a regular polygon on the unit circle.
 fn fan() -> Vec<[[f64; 2]; 3]> {
@@ -26,7 +26,7 @@ fn cross(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
 }
 
 /// Gouraud shading at a place: red, green, blue and alpha linear in the triangle; `None` outside.
-fn shaded(triangle: [Vertex; 3], at: [f64; 2]) -> Option<[f64; 4]> {
+pub(crate) fn shaded(triangle: [Vertex; 3], at: [f64; 2]) -> Option<[f64; 4]> {
     let [a, b, c] = triangle.map(|vertex| [vertex[0], vertex[1]]);
     let whole = cross(a, b, c);
     let weights = [cross(at, b, c), cross(a, at, c), cross(a, b, at)].map(|part| part / whole);
@@ -37,6 +37,23 @@ fn shaded(triangle: [Vertex; 3], at: [f64; 2]) -> Option<[f64; 4]> {
                 .sum()
         })
     })
+}
+
+/// The triangles of particles as they are seen, in pixels: 20 each.
+pub(crate) fn fans_of(discs: &[FlameDisc]) -> Vec<[Vertex; 3]> {
+    let of_disc = |disc: &FlameDisc| {
+        let [place, center, rim] = [disc.place, disc.center, disc.rim]
+            .map(|words| words.map(|bits| f64::from(f32::from_bits(bits))));
+        let [x, y, inverse_width, inverse_height] = place;
+        let vertex = move |at: [f64; 2], light: [f64; 4]| {
+            let [x, y] = [x + at[0] / inverse_width, y + at[1] / inverse_height];
+            [x, y, light[0], light[1], light[2], light[3]]
+        };
+        let triangles = fan().into_iter();
+        triangles
+            .map(move |[middle, a, b]| [vertex(middle, center), vertex(a, rim), vertex(b, rim)])
+    };
+    discs.iter().flat_map(of_disc).collect()
 }
 
 #[test]
@@ -123,17 +140,7 @@ fn p26_a_flame_is_25_fans_of_20_triangles_that_accumulate() {
     let mut wanted = vec![[0.0; 3]; width * height];
     let mut triangles = 0;
     for disc in &drawn.discs {
-        let [place, center, rim] = [disc.place, disc.center, disc.rim]
-            .map(|words| words.map(|bits| f64::from(f32::from_bits(bits))));
-        let [x, y, inverse_width, inverse_height] = place;
-        let vertex = |at: [f64; 2], light: [f64; 4]| {
-            let [x, y] = [x + at[0] / inverse_width, y + at[1] / inverse_height];
-            [x, y, light[0], light[1], light[2], light[3]]
-        };
-        let fan: Vec<[Vertex; 3]> = fan()
-            .into_iter()
-            .map(|[middle, a, b]| [vertex(middle, center), vertex(a, rim), vertex(b, rim)])
-            .collect();
+        let fan = fans_of(std::slice::from_ref(disc));
         triangles += fan.len();
         for (at, pixel) in wanted.iter_mut().enumerate() {
             let place = [(at % width) as f64 + 0.5, (at / width) as f64 + 0.5];

@@ -17,7 +17,7 @@ struct Light {
 }
 
 /// What a frame comes to: the point lights, red, green, blue and what shows of what is behind in
-/// each pixel of the ground, and the sum of all light of flames.
+/// each pixel of the ground and of pillars before it, and the sum of all light of flames.
 struct Lit {
     lights: Vec<Light>,
     ground: Vec<[f64; 4]>,
@@ -43,9 +43,19 @@ fn lit(scene: &Scene, frame: u32) -> Lit {
         }
     });
     let ground = read("ground_pixels");
-    let ground = ground
-        .chunks(4)
-        .map(|pixel| [0, 1, 2, 3].map(|i| float(pixel[i])));
+    let surfaces = read("surface_pixels");
+    let mut before = surfaces.chunks(4);
+    let ground = ground.chunks(4).map(|pixel| {
+        let [red, green, blue, clear] = [0, 1, 2, 3].map(|i| float(pixel[i]));
+        let surface = before.next().map(|of| [0, 1, 2, 3].map(|i| float(of[i])));
+        let [of_red, of_green, of_blue, open] = surface.unwrap_or([0.0, 0.0, 0.0, 1.0]);
+        [
+            of_red + red * open,
+            of_green + green * open,
+            of_blue + blue * open,
+            clear * open,
+        ]
+    });
     Lit {
         lights: lights.collect(),
         ground: ground.collect(),
@@ -243,6 +253,66 @@ fn p45_pillars_are_seen_lit_and_in_the_way_of_light() {
         .map(|clear| 1.0 - clear)
         .sum::<f64>();
     assert!(covered > 159.9, "the ground is behind it: {covered}");
+}
+
+#[test]
+fn p45_pillars_hide_the_flames_behind_them() {
+    let pillar = "[[pillar]]\nposition = [0, -0.4, 0]\nradius = 0.25\nheight = 0.9\n";
+    let focal = 60.0 / 22.5f64.to_radians().tan();
+    let edge = 0.25 / (2.5f64 * 2.5 - 0.0625).sqrt() * focal;
+    for form in ["particles", "strip"] {
+        // Wider and higher than the pillar, as the eye sees it.
+        let light = |z: f64, rest: &str| {
+            let fire = lone(&format!(
+                "form = \"{form}\"\nlight = 0\nwidth = 1.2\nheight = 1.5\n\
+                 [[fire.flame]]\nposition = [0, -0.1, {z}]\n"
+            ));
+            drawn(&scene_with(&[&fire], rest), 3).light
+        };
+        let (alone, behind) = (light(-0.8, ""), light(-0.8, pillar));
+        let (mut hidden, mut open, mut above) = (0, 0, 0);
+        // Its top is as high as the eye: what is above the middle is not behind it.
+        for (at, (alone, behind)) in alone.iter().zip(&behind).enumerate() {
+            let across = ((at % 160) as f64 + 0.5 - 80.0).abs();
+            let row = at / 160;
+            let lights = [length(*alone), length(*behind)];
+            if row > 61 && row < 90 && across < edge - 1.0 {
+                assert_eq!(lights[1], 0.0, "{form}: {row}, {across}");
+                hidden += u32::from(lights[0] > 0.0);
+            } else if row < 59 || across > edge + 1.0 {
+                assert_eq!(alone, behind, "{form}: {row}, {across}");
+                open += u32::from(lights[0] > 0.0 && row >= 59);
+                above += u32::from(lights[0] > 0.0 && row < 59);
+            }
+        }
+        assert!(
+            hidden > 300 && open > 100 && above > 300,
+            "{form}: {hidden}, {open}, {above}"
+        );
+        assert_eq!(light(0.8, ""), light(0.8, pillar), "{form} before it");
+    }
+}
+
+#[test]
+fn p45_pillars_hide_pillars_behind_them() {
+    let pillar = |z: f64, color: &str| {
+        format!(
+            "[[pillar]]\nposition = [0, -0.4, {z}]\nradius = 0.25\nheight = 0.9\ncolor = {color}\n"
+        )
+    };
+    let dark = lone("light = 0");
+    let (red, green) = ("[1, 0, 0]", "[0, 1, 0]");
+    for (first, second) in [(0.5, -0.5), (-0.5, 0.5)] {
+        let rest = format!(
+            "[light]\nambient = [1, 1, 1]\ncolor = [0, 0, 0]\n{}{}",
+            pillar(first, red),
+            pillar(second, green)
+        );
+        let [of_red, of_green, ..] = lit(&scene_with(&[&dark], &rest), 0).ground[160 * 80 + 80];
+        let is_red = first > second;
+        assert_eq!([of_red > 0.99, of_green > 0.99], [is_red, !is_red]);
+        assert_eq!([of_red == 0.0, of_green == 0.0], [!is_red, is_red]);
+    }
 }
 
 #[test]

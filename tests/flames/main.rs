@@ -8,6 +8,7 @@ mod fan;
 mod further;
 mod lights;
 mod looks;
+mod polygons;
 mod roots;
 mod shipped;
 mod strips;

@@ -1,9 +1,11 @@
 //! Every stage of flames on every adapter against the processor, bit for bit.
 
+use motes::backend::Backend;
 use motes::gpu::GpuOptions;
+use motes::plan::Stage;
 
 use crate::common::*;
-use crate::support::plan;
+use crate::support::{plan, scene_with};
 
 #[test]
 fn p44_everything_is_the_same_stage_by_stage() {
@@ -13,9 +15,11 @@ fn p44_everything_is_the_same_stage_by_stage() {
     if let Some(last) = frames.last_mut() {
         last.frame.layer = 1;
     }
-    for workgroup_size in [64, 256] {
+    // In one page, and in pages of 32 flames.
+    for (workgroup_size, page_bytes) in [(64, 0), (256, 48 << 10)] {
         let options = GpuOptions {
             workgroup_size,
+            page_bytes,
             ..GpuOptions::default()
         };
         on_each_adapter(|name, device| {
@@ -25,4 +29,42 @@ fn p44_everything_is_the_same_stage_by_stage() {
             }
         });
     }
+}
+
+#[test]
+fn p76_more_flames_than_a_page_holds_are_the_same_as_fewer() {
+    // Kindled one after the other, so slowly that a flame's number times the frames of it passes 2^32.
+    let scene = scene_with(
+        &[
+            "name = \"field\"\nroots = { kind = \"disc\", radius = 1, count = 70_000 }\n\
+           kindling_frames = 139_999\nlights = 3\nheight = { mean = 0.1, var = 0.05 }\nwidth = 0.01\n",
+        ],
+        "[ground]\nposition = [0, -0.1, 0]\nradius = 10\n",
+    );
+    let plan = plan(&scene);
+    let inputs = plan.inputs(100_000);
+    let mut cpu = on_cpu(&plan);
+    let burning = |words: &[u32]| words.chunks(16).filter(|flame| flame[15] == 1).count();
+    let stages = [
+        (Stage::Kindle, "flames"),
+        (Stage::Trace, "flame_steps"),
+        (Stage::Lights, "flame_lights"),
+        (Stage::FlameDiscs, "flame_discs"),
+        (Stage::Glow, "light_low"),
+    ];
+    cpu.run_stage(Stage::Splat, &inputs).expect("it is dark");
+    let wanted = stages.map(|(stage, buffer)| {
+        cpu.run_stage(stage, &inputs).expect("it runs");
+        cpu.read(buffer).expect("it is read")
+    });
+    assert_eq!(burning(&wanted[0]), 50_001);
+    on_each_adapter(|name, device| {
+        let mut gpu = on_gpu(device, &plan, &GpuOptions::default());
+        gpu.run_stage(Stage::Splat, &inputs).expect("it is dark");
+        for ((stage, buffer), wanted) in stages.into_iter().zip(&wanted) {
+            gpu.run_stage(stage, &inputs).expect("it runs");
+            let got = gpu.read(buffer).expect("it is read");
+            assert!(got == *wanted, "{buffer} on {name}");
+        }
+    });
 }

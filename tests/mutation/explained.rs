@@ -6,6 +6,14 @@ type Explanation = (&'static str, &'static str, &'static str);
 #[rustfmt::skip] // one explanation a line
 static EXPLAINED: &[Explanation] = &[
     ("*", "*: ? = Bool(false) -> omitted", "one branch of a short circuit: variables begin as false"),
+    ("flames/gather", "gather: slot = work.fire_count -> omitted", "a light that is no fire's has no weight either, and is dark for that"),
+    ("flames/gather", "gather: (at < (own.0 + own.1)) -> LessEqual", "the light after a fire's last is the next fire's, which takes it, or no fire's, and has no weight"),
+    ("flames/gather", "gather: (at >= FLAME_LIGHTS) -> Greater", "one light more than there are, which checked kernels do not write"),
+    ("flames/gather", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, and one workgroup has all lights"),
+    ("flames/gather", "weight_of: 255u -> 254u in (low & 255u)", "one of 2^30 steps, which only a light of less than a 64th of the greatest weight tells"),
+    ("flames/shine", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: eight times as many flames as there are at most"),
+    ("flames/shine", "shine: 0.5f -> -0.5f in (0.5f * Float(flame.3.1))", "half of a width, that is squared"),
+    ("flames/shine", "nearest_light: 0.0f -> *", "the first light is taken whatever it is compared with"),
     ("systems/births", "const WORKGROUP_SIZE: 256u -> *", "named for the attribute alone, which was read before the change"),
     ("scan/count_bits", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: 17 billion particles"),
     ("scan/sum_runs", "const WORKGROUP_SIZE: 256u -> *", "moves the second row of workgroups, from invocation 8,388,608 on: 10^12 particles"),

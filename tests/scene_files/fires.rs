@@ -115,9 +115,15 @@ fn fires_that_are_at_odds_with_themselves_are_refused() {
     };
     let many = format!(
         "{}{}",
-        fire(&roots(60_000)),
-        &fire(&roots(60_000))[SCENE.len()..]
+        fire(&roots(600_000)),
+        &fire(&roots(600_000))[SCENE.len()..]
     );
+    let spreads = |lines: &str| {
+        format!(
+            "{}[fire.spread]\nmesh = \"cube\"\n{lines}[[fire.spread.ignition]]\nposition = [0, 0, 1]\n",
+            roots(90_000)
+        )
+    };
     let cases = [
         (fire(""), "`fire.a` has no flame"),
         (
@@ -130,7 +136,17 @@ fn fires_that_are_at_odds_with_themselves_are_refused() {
         ),
         (
             many.replacen("\"a\"", "\"b\"", 1),
-            "the fires have 120000 flames in all, too many",
+            "the fires have 1200000 flames in all, too many",
+        ),
+        (
+            fire(&spreads("max_flames = 20_000\ncatch_points = 16\n")),
+            "the fires have 110000 flames in all, too many where something may catch fire",
+        ),
+        (
+            fire(&spreads("max_flames = 60_000\n"))
+                + &fire(&spreads("max_flames = 60_000\n")).replacen("\"a\"", "\"b\"", 1)
+                    [SCENE.len()..],
+            "the fires may have dropped 120000 flames in all, too many",
         ),
         (
             fire(&format!("lights = 60\n{FLAME}"))

@@ -183,7 +183,7 @@ fn grounds_pillars_and_planets_are_before_what_is_behind_them() {
                 false => format!("{NOBODY}{ball}{hider}"),
             };
             let drawn = drawn(&scene_with(&rest));
-            let seen = drawn.surfaces.iter().any(|pixel| pixel[3] < 1.0);
+            let seen = drawn.faces.iter().flatten().any(|face| *face != 0);
             assert_eq!(seen, is_seen, "{hider} {z}");
         }
     }

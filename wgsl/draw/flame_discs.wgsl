@@ -35,7 +35,9 @@ const MATRIX_TAG: u32 = 0x6d617472u;
 const LEAST_MATRIX_AREA: f32 = 0.000001f;
 
 struct Work {
+    // Flames of a page, and the first of them among all.
     flame_count: u32,
+    first: u32,
     // Of details, 1 and more; of them, one of 2^octave.
     octave: u32,
     copy: u32,
@@ -141,7 +143,7 @@ fn flame_discs_of(@builtin(global_invocation_id) global_id: vec3<u32>) {
     if at >= work.flame_count {
         return;
     }
-    let flame = flames[at];
+    let flame = flames[work.first + at];
     let slot = flame.root_and_fire.w;
     let fire = fires[slot];
     let half_width = 0.5f * bitcast<f32>(flame.look.y);

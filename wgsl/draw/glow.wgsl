@@ -24,6 +24,7 @@ const SURFACES: bool = #{SURFACES};
 const GLOW_RUN: u32 = 8u;
 
 struct Work {
+    // Flames of a page.
     flame_count: u32,
     // Invocations a flame.
     shares: u32,

@@ -1,9 +1,9 @@
-// ground: a plane behind everything and the cylinders on it, in the light of flames.
+// ground: a plane behind everything, in the light of flames.
 //
 // Perry 1994, 3.2.4: flames light surfaces through point lights. The light of each falls with the
-// squared distance and the slant; pillars stand in its way, and let some of it through to their own
-// surface (wax).
-// One invocation a pixel: the line of sight meets a pillar, the plane, or neither.
+// squared distance and the slant; pillars stand in its way. They are seen themselves before it
+// (draw/surface).
+// One invocation a pixel: the line of sight meets the plane, or not.
 // Reads: frame, grounds, pillars, lamps, flame_lights. Writes: ground_pixels (red, green, blue and
 // what shows of what is behind, as bits).
 // Invariant: a pixel depends on the frame, the surfaces and the lights alone.
@@ -14,11 +14,9 @@
 }
 #import motes::layout::{FlameLight, Frame, Ground, Lamp, Pillar}
 #import motes::noise::noise
-#import motes::pillar::{Meeting, meeting, passed}
+#import motes::pillar::passed
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
-// No pillar.
-const NO_PILLAR: u32 = 0xffffffffu;
 // Ways to the ground, in lengths of the way, at most.
 const FARTHEST_GROUND: f32 = 1e6f;
 
@@ -29,43 +27,30 @@ const FARTHEST_GROUND: f32 = 1e6f;
 @group(0) @binding(4) var<storage, read> flame_lights: array<FlameLight>;
 @group(0) @binding(5) var<storage, read_write> ground_pixels: array<vec4<u32>>;
 
-// A place of a surface, its unit normal, its pillar, and what that lets through: how much, and the
-// inverse of the squared distance at which it is half.
-struct Spot {
-    place: vec3<f32>,
-    normal: vec3<f32>,
-    pillar: u32,
-    through: vec2<f32>,
-}
-
 // The light of a point light of that colour a unit away and that squared extent.
-fn from_point(ground: Ground, spot: Spot, light: vec3<f32>, extent: f32, color: vec3<f32>, through: f32) -> vec3<f32> {
-    let away = light - spot.place;
+fn from_point(ground: Ground, spot: vec3<f32>, light: vec3<f32>, extent: f32, color: vec3<f32>) -> vec3<f32> {
+    let away = light - spot;
     let near = inverse_square_root(dot3(away, away) + extent);
-    let falls = at_least_zero(dot3(spot.normal, away) * near);
-    var seen = 1.0f;
+    var seen = at_least_zero(dot3(ground.plane.xyz, away) * near);
     for (var at = 0u; at < ground.counts.x; at += 1u) {
-        if at != spot.pillar {
-            seen *= passed(pillars[at], spot.place, light);
-        }
+        seen *= passed(pillars[at], spot, light);
     }
-    let own = through * reciprocal(1.0f + dot3(away, away) * spot.through.y);
-    return color * ((falls * seen + own) * near * near);
+    return color * (seen * near * near);
 }
 
-fn light_on(ground: Ground, spot: Spot) -> vec3<f32> {
-    let straight = at_least_zero(dot3(spot.normal, ground.light_from.xyz));
+fn light_on(ground: Ground, spot: vec3<f32>) -> vec3<f32> {
+    let straight = at_least_zero(dot3(ground.plane.xyz, ground.light_from.xyz));
     var light = ground.ambient.xyz + ground.light_color.xyz * straight;
     for (var at = 0u; at < ground.kinds.z; at += 1u) {
         let lamp = lamps[at];
         let place = lamp.place.xyz + ground.lamps_from.xyz;
-        light += from_point(ground, spot, place, 0.0f, lamp.color.xyz * lamp.place.w, 0.0f);
+        light += from_point(ground, spot, place, 0.0f, lamp.color.xyz * lamp.place.w);
     }
     for (var at = 0u; at < ground.kinds.w; at += 1u) {
         let flame = flame_lights[at];
         let place = bitcast<vec4<f32>>(flame.place);
         let color = bitcast<vec3<f32>>(flame.color.xyz);
-        light += from_point(ground, spot, place.xyz, place.w, color, spot.through.x);
+        light += from_point(ground, spot, place.xyz, place.w, color);
     }
     return light;
 }
@@ -100,8 +85,7 @@ fn plane_at(ground: Ground, way: vec3<f32>, pixel: f32) -> vec4<f32> {
         return vec4<f32>(0.0f);
     }
     let shade = shade_at(ground, place, abs(far * pixel * reciprocal(slant)));
-    let spot = Spot(place, ground.plane.xyz, NO_PILLAR, vec2<f32>(0.0f));
-    return vec4<f32>(ground.color.xyz * shade * light_on(ground, spot), covered);
+    return vec4<f32>(ground.color.xyz * shade * light_on(ground, place), covered);
 }
 
 @compute @workgroup_size(WORKGROUP_SIZE)
@@ -117,27 +101,9 @@ fn ground(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let way = frame.view_from_world_z.xyz
         + frame.view_from_world_x.xyz * ((x - frame.center_x_px) * pixel)
         + frame.view_from_world_y.xyz * ((frame.center_y_px - y) * pixel);
-    var nearest = NO_PILLAR;
-    var met = Meeting(0.0f, 0.0f, vec3<f32>(0.0f));
-    for (var pillar = 0u; pillar < ground.counts.x; pillar += 1u) {
-        let here = meeting(pillars[pillar], ground.eye.xyz, way, pixel);
-        if less(0.0f, here.covered) && (nearest == NO_PILLAR || less(here.far, met.far)) {
-            nearest = pillar;
-            met = here;
-        }
-    }
-    var light = vec4<f32>(0.0f);
-    if less(met.covered, 1.0f) {
-        light = plane_at(ground, way, pixel);
-    }
-    var sum = light.xyz * light.w;
-    var clear = 1.0f - light.w;
-    if nearest != NO_PILLAR {
-        let pillar = pillars[nearest];
-        let place = ground.eye.xyz + way * met.far;
-        let spot = Spot(place, met.normal, nearest, pillar.extent.yz);
-        sum = sum * (1.0f - met.covered) + pillar.color.xyz * light_on(ground, spot) * met.covered;
-        clear *= 1.0f - met.covered;
-    }
-    ground_pixels[at] = vec4<u32>(bits_of(sum.x), bits_of(sum.y), bits_of(sum.z), bits_of(clear));
+    let light = plane_at(ground, way, pixel);
+    let sum = light.xyz * light.w;
+    ground_pixels[at] = vec4<u32>(
+        bits_of(sum.x), bits_of(sum.y), bits_of(sum.z), bits_of(1.0f - light.w),
+    );
 }

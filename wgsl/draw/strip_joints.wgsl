@@ -21,7 +21,9 @@ const LAYERS: bool = #{LAYERS};
 const MOST_HALF_WIDTH_PX: f32 = 16384.0f;
 
 struct Work {
+    // Flames of a page, and the first of them among all.
     flame_count: u32,
+    first: u32,
 }
 var<immediate> work: Work;
 
@@ -54,7 +56,7 @@ fn strip_joints_of(@builtin(global_invocation_id) global_id: vec3<u32>) {
     if at >= work.flame_count {
         return;
     }
-    let flame = flames[at];
+    let flame = flames[work.first + at];
     let slot = flame.root_and_fire.w;
     let fire = fires[slot];
     let half_width = 0.5f * bitcast<f32>(flame.look.y);

@@ -19,9 +19,12 @@ const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 const SURFACES: bool = #{SURFACES};
 
 struct Work {
+    // Flames of a page.
     flame_count: u32,
     // Invocations a flame.
     shares: u32,
+    // The first of them among all.
+    first: u32,
 }
 var<immediate> work: Work;
 
@@ -113,8 +116,8 @@ fn strips(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let last = bounds.xy >> vec2<u32>(16u);
     let columns = last.x - first.x;
     let pixels = columns * (last.y - first.y);
-    let slot = flames[flame].root_and_fire.w;
-    let index = flames[flame].motion_and_index.w;
+    let slot = flames[work.first + flame].root_and_fire.w;
+    let index = flames[work.first + flame].motion_and_index.w;
     let fire = fires[slot];
     for (var nth = at % work.shares; nth < pixels; nth += work.shares) {
         let x = first.x + nth % columns;

@@ -1,9 +1,10 @@
-// surface: the triangles that are seen in a pixel, lit.
+// surface: the triangles and pillars that are seen in a pixel, lit.
 //
 // Reeves 1983, section 3, and Perry 1994, 3.2.4: surfaces reflect light from far away, from lamps and
 // from flames, as Lambert has it. A triangle is lit once a pixel, in the middle of its samples; its
-// normal is between those of its corners. Samples behind a planet, a ground or a pillar are of none,
-// and hide nothing.
+// normal is between those of its corners. Samples behind a planet, a ground or a pillar are of none.
+// Pillars let some of the light of flames through to their own surface (wax), and cover a pixel as far as
+// their outline does. Triangles and pillars hide what is behind their samples.
 // One invocation a pixel. Reads: frame, surfaces, surface_corners, surface_light, lamps, flame_lights,
 // pillars. Reads and writes: surface_nearness, surface_faces (0 where nothing shows). Writes:
 // surface_pixels (red, green, blue, and what shows of what is behind, as bits).
@@ -16,7 +17,7 @@
 }
 #import motes::grain::grain_at
 #import motes::layout::{FlameLight, Frame, Lamp, Pillar, SurfaceFrame, SurfaceLight}
-#import motes::pillar::{meeting, passed}
+#import motes::pillar::{Meeting, meeting, passed}
 #import motes::raster::{normal_of, rows_times, samples_down, samples_right}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
@@ -27,6 +28,8 @@ const GROUND: bool = #{GROUND};
 const GRAINS: bool = #{GRAINS};
 // A ground or a pillar that covers more of its pixel hides.
 const HIDES: f32 = 0.5f;
+// No pillar.
+const NO_PILLAR: u32 = 0xffffffffu;
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read> surfaces: array<SurfaceFrame>;
@@ -72,32 +75,45 @@ fn is_hidden(light: SurfaceLight, way: vec3<f32>, depth: f32) -> bool {
     return hidden;
 }
 
-// The light of a point light of that colour a unit away and that squared extent.
-fn from_point(light: SurfaceLight, place: vec3<f32>, normal: vec3<f32>, lamp: vec3<f32>, extent: f32) -> f32 {
-    let away = lamp - place;
-    let near = inverse_square_root(dot3(away, away) + extent);
-    var seen = at_least_zero(dot3(normal, away) * near) * near * near;
-    if GROUND {
-        for (var at = 0u; at < light.kinds.z; at += 1u) {
-            seen *= passed(pillars[at], place, lamp);
-        }
-    }
-    return seen;
+// A place of a surface, its unit normal, its pillar, and what that lets through: how much, and the
+// inverse of the squared distance at which it is half.
+struct Spot {
+    place: vec3<f32>,
+    normal: vec3<f32>,
+    pillar: u32,
+    through: vec2<f32>,
 }
 
-fn light_on(light: SurfaceLight, place: vec3<f32>, normal: vec3<f32>) -> vec3<f32> {
-    let straight = at_least_zero(dot3(normal, light.light_from.xyz));
+// How much of a point light of that squared extent there is, as a share of what it is a unit away.
+fn from_point(light: SurfaceLight, spot: Spot, lamp: vec3<f32>, extent: f32, through: f32) -> f32 {
+    let away = lamp - spot.place;
+    let squared = dot3(away, away);
+    let near = inverse_square_root(squared + extent);
+    var seen = at_least_zero(dot3(spot.normal, away) * near);
+    if GROUND {
+        for (var at = 0u; at < light.kinds.z; at += 1u) {
+            if at != spot.pillar {
+                seen *= passed(pillars[at], spot.place, lamp);
+            }
+        }
+        seen += through * reciprocal(1.0f + squared * spot.through.y);
+    }
+    return seen * near * near;
+}
+
+fn light_on(light: SurfaceLight, spot: Spot) -> vec3<f32> {
+    let straight = at_least_zero(dot3(spot.normal, light.light_from.xyz));
     var sum = light.ambient.xyz + light.light_color.xyz * straight;
     for (var at = 0u; at < light.kinds.x; at += 1u) {
         let lamp = lamps[at];
         let source = lamp.place.xyz + light.lamps_from.xyz;
-        sum += lamp.color.xyz * (lamp.place.w * from_point(light, place, normal, source, 0.0f));
+        sum += lamp.color.xyz * (lamp.place.w * from_point(light, spot, source, 0.0f, 0.0f));
     }
     for (var at = 0u; at < light.kinds.y; at += 1u) {
         let flame = flame_lights[at];
         let source = bitcast<vec4<f32>>(flame.place);
         let color = bitcast<vec3<f32>>(flame.color.xyz);
-        sum += color * from_point(light, place, normal, source.xyz, source.w);
+        sum += color * from_point(light, spot, source.xyz, source.w, spot.through.x);
     }
     return sum;
 }
@@ -154,7 +170,35 @@ fn shaded(light: SurfaceLight, face: u32, way: vec3<f32>, depth: f32) -> vec3<f3
         let kind = surface.grain_kind;
         shade -= grain_at(kind.x, kind.y, surface.grain, surface.grain_shape, at) * surface.grain_shape.x;
     }
-    return surface.color.xyz * shade * light_on(light, place, normal);
+    let spot = Spot(place, normal, NO_PILLAR, vec2<f32>(0.0f));
+    return surface.color.xyz * shade * light_on(light, spot);
+}
+
+// A pillar that a way meets, the nearest, and where.
+struct Nearest {
+    pillar: u32,
+    met: Meeting,
+}
+
+// The nearest that covers more of the pixel than that.
+fn nearest_pillar(light: SurfaceLight, way: vec3<f32>, least: f32) -> Nearest {
+    var nearest = Nearest(NO_PILLAR, Meeting(0.0f, 0.0f, vec3<f32>(0.0f)));
+    let pixel = reciprocal(frame.focal_px);
+    for (var at = 0u; at < light.kinds.z; at += 1u) {
+        let met = meeting(pillars[at], light.eye.xyz, way, pixel);
+        if less(least, met.covered) && (nearest.pillar == NO_PILLAR || less(met.far, nearest.met.far)) {
+            nearest = Nearest(at, met);
+        }
+    }
+    return nearest;
+}
+
+// What a pillar sends back from where the way meets it.
+fn pillar_light(light: SurfaceLight, nearest: Nearest, way: vec3<f32>) -> vec3<f32> {
+    let pillar = pillars[nearest.pillar];
+    let place = light.eye.xyz + way * nearest.met.far;
+    let spot = Spot(place, nearest.met.normal, nearest.pillar, pillar.extent.yz);
+    return pillar.color.xyz * light_on(light, spot);
 }
 
 @compute @workgroup_size(WORKGROUP_SIZE)
@@ -178,10 +222,16 @@ fn surface(@builtin(global_invocation_id) global_id: vec3<u32>) {
             nearness[sample] = select(nearness[sample], 0u, hidden);
             left |= select(1u << sample, 0u, hidden);
         }
+        if GROUND && faces[sample] == 0u {
+            let before = nearest_pillar(light, way_through(rights[sample], ups[sample]), HIDES);
+            nearness[sample] = select(
+                bits_of(reciprocal(before.met.far)), 0u, before.pillar == NO_PILLAR,
+            );
+        }
     }
     surface_faces[pixel] = faces;
     surface_nearness[pixel] = nearness;
-    let clear = 1.0f - f32_of_u32(countOneBits(left)) * 0.25f;
+    var clear = 1.0f - f32_of_u32(countOneBits(left)) * 0.25f;
     var sum = vec3<f32>(0.0f);
     while left != 0u {
         let face = faces[firstTrailingBit(left)];
@@ -201,6 +251,17 @@ fn surface(@builtin(global_invocation_id) global_id: vec3<u32>) {
         let share = reciprocal(count);
         let way = way_through(right * share, up * share);
         sum += shaded(light, face - 1u, way, reciprocal(near * share)) * (count * 0.25f);
+    }
+    if GROUND {
+        let middle = way_through(
+            f32_of_u32(pixel % frame.width) + 0.5f - frame.center_x_px,
+            frame.center_y_px - f32_of_u32(pixel / frame.width) - 0.5f,
+        );
+        let seen = nearest_pillar(light, middle, 0.0f);
+        if seen.pillar != NO_PILLAR {
+            sum += pillar_light(light, seen, middle) * (seen.met.covered * clear);
+            clear *= 1.0f - seen.met.covered;
+        }
     }
     surface_pixels[pixel] = vec4<u32>(bits_of(sum.x), bits_of(sum.y), bits_of(sum.z), bits_of(clear));
 }

@@ -51,6 +51,16 @@ fn listed(fire: FireFrame, at: u32) -> Rooted {
     );
 }
 
+// whole * part / count for numbers below 2^20, part below count: the product may pass 2^32, so it is divided
+// in two halves of part.
+fn share_of(whole: u32, part: u32, count: u32) -> u32 {
+    let rest = whole % count;
+    let upper = (part >> 10u) * rest;
+    let lower = (part & 1023u) * rest;
+    let between = ((upper % count) << 10u) + lower;
+    return part * (whole / count) + ((upper / count) << 10u) + between / count;
+}
+
 fn scattered(fire: FireFrame, at: u32) -> Rooted {
     let nth = at - fire.members.w;
     let count = fire.members.y - fire.members.w;
@@ -68,10 +78,7 @@ fn scattered(fire: FireFrame, at: u32) -> Rooted {
         position = born.position;
         normal = born.axis;
     }
-    // nth times the frames of kindling may pass 2^32.
-    let whole = fire.times.y / count;
-    let rest = fire.times.y % count;
-    let birth = fire.times.x + nth * whole + nth * rest / count;
+    let birth = fire.times.x + share_of(fire.times.y, nth, count);
     return Rooted(position, normal, extents_of(fire, at), 1.0f, birth);
 }
 

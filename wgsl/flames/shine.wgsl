@@ -16,7 +16,9 @@
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 
 struct Work {
+    // Flames of a page, and the first of them among all.
     flame_count: u32,
+    first: u32,
 }
 var<immediate> work: Work;
 
@@ -61,7 +63,7 @@ fn shine(@builtin(global_invocation_id) global_id: vec3<u32>) {
     if at >= work.flame_count {
         return;
     }
-    let flame = flames[at];
+    let flame = flames[work.first + at];
     let fire = fires[flame.root_and_fire.w];
     if flame.look.w != 1u || fire.lights.y == 0u {
         return;

@@ -89,9 +89,9 @@ fn small_wind(fire: FireFrame, p: vec3<f32>, root: vec3<f32>, inverse_height: f3
 // wind does along the surface, and where that does not blow, on and a little aside.
 fn of_length_one(fire: FireFrame, next: vec3<f32>, before: vec3<f32>, wind: vec3<f32>, normal: vec3<f32>, index: u32) -> vec3<f32> {
     var way = next;
-    if less(dot3(next, next), LEAST_SPEED_SQUARED) {
+    if is_stopped(next) {
         way = wind - normal * dot3(wind, normal);
-        if less(dot3(way, way), LEAST_SPEED_SQUARED) {
+        if is_stopped(way) {
             let random = flame_draw(fire, index, STREAM_CEILING);
             let turns = unit_float(random.x);
             let z = signed_float(random.y);
@@ -103,14 +103,31 @@ fn of_length_one(fire: FireFrame, next: vec3<f32>, before: vec3<f32>, wind: vec3
     return normalize_exact(way);
 }
 
-// One step through the wind u: the place by the velocity, then the velocity by the wind.
-fn stepped(fire: FireFrame, from_here: Along, wind: vec3<f32>, height: f32, normal: vec3<f32>, index: u32) -> Along {
+// Whether velocities have length 1.
+fn is_normalised(fire: FireFrame) -> bool {
+    return (fire.kinds.w & FIRE_NORMALISED) != 0u;
+}
+
+// One step through the wind u before velocities are normalised: the place by the velocity, then the velocity
+// by the wind.
+fn moved(fire: FireFrame, from_here: Along, wind: vec3<f32>, height: f32) -> Along {
     let position = from_here.position + from_here.velocity * (height * fire.motion.w);
-    var velocity = from_here.velocity + wind;
-    if (fire.kinds.w & FIRE_NORMALISED) != 0u {
+    return Along(position, from_here.velocity + wind);
+}
+
+// Whether the wind stops the particle so that its velocity has no direction.
+fn is_stopped(velocity: vec3<f32>) -> bool {
+    return less(dot3(velocity, velocity), LEAST_SPEED_SQUARED);
+}
+
+// One step through the wind u.
+fn stepped(fire: FireFrame, from_here: Along, wind: vec3<f32>, height: f32, normal: vec3<f32>, index: u32) -> Along {
+    let next = moved(fire, from_here, wind, height);
+    var velocity = next.velocity;
+    if is_normalised(fire) {
         velocity = of_length_one(fire, velocity, from_here.velocity, wind, normal, index);
     }
-    return Along(position, velocity);
+    return Along(next.position, velocity);
 }
 
 // Whether the places are told that the point lights' are counted from.

@@ -3,11 +3,13 @@
 use super::Entry;
 use crate::backend::BackendError;
 use crate::bench::copy::{forms, of_form, timed};
+use crate::bench::flames::FLAME_SIZES;
 use crate::bench::splats::{SHAPES, SIZE_PX};
 use crate::gpu::{
     self, GpuDevice, RasterShape, RasterTarget, SortYardstick, Yardstick, YardstickMemory,
     sort_bytes,
 };
+use crate::layout::FLAME_STEPS;
 use std::rc::Rc;
 
 /// Invocations in a workgroup of what is not tried in several sizes.
@@ -102,7 +104,8 @@ fn sort(device: &GpuDevice, pairs: u32) -> Result<Entry, BackendError> {
     Ok(Entry::new("sort", items, sort_bytes(items), run).noted(about))
 }
 
-/// What the device's own rasteriser needs for as many particles, of the small discs' size.
+/// What the device's own rasteriser needs for as many particles, of the small discs' size, and for the fans
+/// of as many flames.
 pub(super) fn rasters(device: &GpuDevice, particles: u32) -> Result<Vec<Entry>, BackendError> {
     let disc = SHAPES
         .iter()
@@ -156,6 +159,34 @@ pub(super) fn rasters(device: &GpuDevice, particles: u32) -> Result<Vec<Entry>, 
             covered_px: Some(covered * f64::from(particles)),
             ..Entry::new(name, particles.into(), 0, run).noted(about)
         });
+    }
+    for size in FLAME_SIZES {
+        let shape = RasterShape::Fans {
+            half_width_px: size.width_px / 2,
+            height_px: size.height_px() as u32,
+        };
+        let count = size.flames(particles);
+        let fans = count * FLAME_STEPS;
+        let targets = [
+            (
+                RasterTarget::Half,
+                "20 triangles each, blended into 16-bit floats",
+            ),
+            (
+                RasterTarget::Single,
+                "20 triangles each, blended into 32-bit floats",
+            ),
+        ];
+        for (name, (target, about)) in size.rasters.into_iter().zip(targets) {
+            let Some(mut yardstick) = device.raster(name, shape, target, fans, SIZE_PX)? else {
+                continue;
+            };
+            let run = Box::new(move || timed(&mut yardstick));
+            entries.push(Entry {
+                covered_px: Some(size.covered_px() * f64::from(count)),
+                ..Entry::new(name, fans.into(), 0, run).noted(about)
+            });
+        }
     }
     Ok(entries)
 }

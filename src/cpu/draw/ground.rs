@@ -1,9 +1,9 @@
-//! ground: a plane behind everything and the cylinders on it, in the light of flames (Perry 1994,
-//! 3.2.4). Twin of `wgsl/draw/ground.wgsl`.
+//! ground: a plane behind everything, in the light of flames (Perry 1994, 3.2.4). Twin of
+//! `wgsl/draw/ground.wgsl`.
 
-use glam::{Vec2, Vec3};
+use glam::Vec3;
 
-use crate::cpu::pillar::{Meeting, meeting, passed};
+use crate::cpu::pillar::passed;
 use crate::exact::{
     at_least_zero, bits_of, clamp_unit, dot3, f32_of_u32, inverse_square_root, less, reciprocal,
     shared_constants,
@@ -13,8 +13,6 @@ use crate::noise::noise;
 use crate::plan::FrameInputs;
 
 shared_constants! {
-    /// No pillar.
-    pub const NO_PILLAR: u32 = 0xffff_ffff;
     /// Ways to the ground, in lengths of the way, at most.
     pub const FARTHEST_GROUND: f32 = 1e6;
 }
@@ -28,52 +26,37 @@ pub struct Lit<'a> {
     pub flames: &'a [FlameLight],
 }
 
-/// A place of a surface, its unit normal, its pillar, and what that lets through: how much, and the
-/// inverse of the squared distance at which it is half.
-struct Spot {
-    place: Vec3,
-    normal: Vec3,
-    pillar: Option<usize>,
-    through: Vec2,
-}
-
 fn three(of: &[f32]) -> Vec3 {
     Vec3::from_slice(of)
 }
 
-/// A point light: where, its squared extent, its colour a unit away, what of it passes through.
+/// A point light: where, its squared extent, its colour a unit away.
 struct Point {
     place: Vec3,
     extent: f32,
     color: Vec3,
-    through: f32,
 }
 
-fn from_point(lit: Lit<'_>, spot: &Spot, light: &Point) -> Vec3 {
-    let away = light.place - spot.place;
+fn from_point(lit: Lit<'_>, ground: &Ground, spot: Vec3, light: &Point) -> Vec3 {
+    let away = light.place - spot;
     let near = inverse_square_root(dot3(away, away) + light.extent);
-    let falls = at_least_zero(dot3(spot.normal, away) * near);
-    let mut seen = 1.0;
-    for (at, pillar) in lit.inputs.pillars.iter().enumerate() {
-        if Some(at) != spot.pillar {
-            seen *= passed(pillar, spot.place, light.place);
-        }
+    let mut seen = at_least_zero(dot3(three(&ground.plane), away) * near);
+    for pillar in &lit.inputs.pillars {
+        seen *= passed(pillar, spot, light.place);
     }
-    let own = light.through * reciprocal(1.0 + dot3(away, away) * spot.through.y);
-    light.color * ((falls * seen + own) * near * near)
+    light.color * (seen * near * near)
 }
 
-fn light_on(lit: Lit<'_>, ground: &Ground, spot: &Spot) -> Vec3 {
-    let straight = at_least_zero(dot3(spot.normal, three(&ground.light_from)));
+fn light_on(lit: Lit<'_>, ground: &Ground, spot: Vec3) -> Vec3 {
+    let straight = at_least_zero(dot3(three(&ground.plane), three(&ground.light_from)));
     let mut light = three(&ground.ambient) + three(&ground.light_color) * straight;
     for lamp in &lit.inputs.lamps[..ground.kinds[2] as usize] {
         let point = Point {
             place: three(&lamp.place) + three(&ground.lamps_from),
             extent: 0.0,
             color: three(&lamp.color) * lamp.place[3],
-            through: 0.0,
         };
-        light += from_point(lit, spot, &point);
+        light += from_point(lit, ground, spot, &point);
     }
     for flame in &lit.flames[..ground.kinds[3] as usize] {
         let [x, y, z, extent] = flame.place.map(f32::from_bits);
@@ -81,9 +64,8 @@ fn light_on(lit: Lit<'_>, ground: &Ground, spot: &Spot) -> Vec3 {
             place: Vec3::new(x, y, z),
             extent,
             color: three(&flame.color.map(f32::from_bits)),
-            through: spot.through.x,
         };
-        light += from_point(lit, spot, &point);
+        light += from_point(lit, ground, spot, &point);
     }
     light
 }
@@ -123,27 +105,8 @@ fn plane_at(lit: Lit<'_>, ground: &Ground, way: Vec3, pixel: f32) -> (Vec3, f32)
         return (Vec3::ZERO, 0.0);
     }
     let shade = shade_at(ground, place, (far * pixel * reciprocal(slant)).abs());
-    let spot = Spot {
-        place,
-        normal,
-        pillar: None,
-        through: Vec2::ZERO,
-    };
-    let light = three(&ground.color) * shade * light_on(lit, ground, &spot);
+    let light = three(&ground.color) * shade * light_on(lit, ground, place);
     (light, covered)
-}
-
-/// The nearest pillar that the way from the eye meets.
-fn nearest(lit: Lit<'_>, eye: Vec3, way: Vec3, pixel: f32) -> Option<(usize, Meeting)> {
-    let mut nearest: Option<(usize, Meeting)> = None;
-    for (at, pillar) in lit.inputs.pillars.iter().enumerate() {
-        let here = meeting(pillar, eye, way, pixel);
-        let is_nearer = nearest.is_none_or(|(_, met)| less(here.far, met.far));
-        if less(0.0, here.covered) && is_nearer {
-            nearest = Some((at, here));
-        }
-    }
-    nearest
 }
 
 /// One pixel: red, green and blue as bits, and what shows of what is behind.
@@ -155,28 +118,7 @@ pub fn ground(lit: Lit<'_>, ground: &Ground, at: u32) -> [u32; 4] {
     let way = three(&frame.view_from_world_z)
         + three(&frame.view_from_world_x) * ((x - frame.center_x_px) * pixel)
         + three(&frame.view_from_world_y) * ((frame.center_y_px - y) * pixel);
-    let eye = three(&ground.eye);
-    let nearest = nearest(lit, eye, way, pixel);
-    let met = nearest.map_or(0.0, |(_, met)| met.covered);
-    let (light, covered) = if less(met, 1.0) {
-        plane_at(lit, ground, way, pixel)
-    } else {
-        (Vec3::ZERO, 0.0)
-    };
-    let mut sum = light * covered;
-    let mut clear = 1.0 - covered;
-    if let Some((at, met)) = nearest {
-        let pillar = &lit.inputs.pillars[at];
-        let spot = Spot {
-            place: eye + way * met.far,
-            normal: met.normal,
-            pillar: Some(at),
-            through: Vec2::new(pillar.extent[1], pillar.extent[2]),
-        };
-        let light = three(&pillar.color) * light_on(lit, ground, &spot);
-        sum = sum * (1.0 - met.covered) + light * met.covered;
-        clear *= 1.0 - met.covered;
-    }
-    let [red, green, blue] = sum.to_array().map(bits_of);
-    [red, green, blue, bits_of(clear)]
+    let (light, covered) = plane_at(lit, ground, way, pixel);
+    let [red, green, blue] = (light * covered).to_array().map(bits_of);
+    [red, green, blue, bits_of(1.0 - covered)]
 }

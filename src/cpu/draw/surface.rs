@@ -1,10 +1,10 @@
-//! surface: the triangles that are seen in a pixel, lit (Reeves 1983, section 3; Perry 1994, 3.2.4).
+//! surface: the triangles and pillars that are seen in a pixel, lit (Reeves 1983, section 3; Perry 1994, 3.2.4).
 //! Twin of `wgsl/draw/surface.wgsl`.
 
-use glam::{Vec3, Vec4};
+use glam::{Vec2, Vec3, Vec4};
 
 use crate::cpu::grain::grain_at;
-use crate::cpu::pillar::{meeting, passed};
+use crate::cpu::pillar::{Meeting, meeting, passed};
 use crate::cpu::raster::{SAMPLES_DOWN, SAMPLES_RIGHT, normal_of, world_of};
 use crate::exact::{
     at_least_zero, bits_of, clamp_unit, cross3, dot3, f32_of_u32, inverse_square_root, less,
@@ -16,6 +16,8 @@ use crate::plan::FrameInputs;
 shared_constants! {
     /// A ground or a pillar that covers more of its pixel hides.
     const HIDES: f32 = 0.5;
+    /// No pillar.
+    pub const NO_PILLAR: u32 = 0xffff_ffff;
 }
 
 /// Everything that light comes from or falls on.
@@ -66,29 +68,43 @@ fn is_hidden(lit: Lit<'_>, light: &SurfaceLight, way: Vec3, depth: f32) -> bool 
     hidden
 }
 
-/// How much of a point light of that squared extent falls on a place, as a share of what it is a unit
-/// away.
-fn from_point(lit: Lit<'_>, place: Vec3, normal: Vec3, lamp: Vec3, extent: f32) -> f32 {
-    let away = lamp - place;
-    let near = inverse_square_root(dot3(away, away) + extent);
-    let mut seen = at_least_zero(dot3(normal, away) * near) * near * near;
-    for pillar in &lit.inputs.pillars {
-        seen *= passed(pillar, place, lamp);
-    }
-    seen
+/// A place of a surface, its unit normal, its pillar, and what that lets through: how much, and the
+/// inverse of the squared distance at which it is half.
+struct Spot {
+    place: Vec3,
+    normal: Vec3,
+    pillar: Option<usize>,
+    through: Vec2,
 }
 
-fn light_on(lit: Lit<'_>, light: &SurfaceLight, place: Vec3, normal: Vec3) -> Vec3 {
-    let straight = at_least_zero(dot3(normal, three(&light.light_from)));
+/// How much of a point light of that squared extent there is, as a share of what it is a unit away.
+fn from_point(lit: Lit<'_>, spot: &Spot, lamp: Vec3, extent: f32, through: f32) -> f32 {
+    let away = lamp - spot.place;
+    let squared = dot3(away, away);
+    let near = inverse_square_root(squared + extent);
+    let mut seen = at_least_zero(dot3(spot.normal, away) * near);
+    if !lit.inputs.grounds.is_empty() {
+        for (at, pillar) in lit.inputs.pillars.iter().enumerate() {
+            if Some(at) != spot.pillar {
+                seen *= passed(pillar, spot.place, lamp);
+            }
+        }
+        seen += through * reciprocal(1.0 + squared * spot.through.y);
+    }
+    seen * near * near
+}
+
+fn light_on(lit: Lit<'_>, light: &SurfaceLight, spot: &Spot) -> Vec3 {
+    let straight = at_least_zero(dot3(spot.normal, three(&light.light_from)));
     let mut sum = three(&light.ambient) + three(&light.light_color) * straight;
     for lamp in lit.inputs.lamps.iter().take(light.kinds[0] as usize) {
         let from = three(&lamp.place) + three(&light.lamps_from);
-        sum += three(&lamp.color) * (lamp.place[3] * from_point(lit, place, normal, from, 0.0));
+        sum += three(&lamp.color) * (lamp.place[3] * from_point(lit, spot, from, 0.0, 0.0));
     }
     for flame in lit.flames.iter().take(light.kinds[1] as usize) {
         let [x, y, z, extent] = flame.place.map(f32::from_bits);
         let color = three(&flame.color.map(f32::from_bits));
-        sum += color * from_point(lit, place, normal, Vec3::new(x, y, z), extent);
+        sum += color * from_point(lit, spot, Vec3::new(x, y, z), extent, spot.through.x);
     }
     sum
 }
@@ -136,7 +152,49 @@ fn shaded(lit: Lit<'_>, light: &SurfaceLight, face: u32, way: Vec3, depth: f32) 
     let [kind, key, ..] = surface.grain_kind;
     let dense = grain_at([kind, key], &surface.grain, &surface.grain_shape, at);
     let shade = 1.0 - dense * surface.grain_shape[0];
-    three(&surface.color) * shade * light_on(lit, light, place, normal)
+    let spot = Spot {
+        place,
+        normal,
+        pillar: None,
+        through: Vec2::ZERO,
+    };
+    three(&surface.color) * shade * light_on(lit, light, &spot)
+}
+
+/// The nearest pillar that the way meets and that covers more of the pixel than that.
+fn nearest_pillar(
+    lit: Lit<'_>,
+    light: &SurfaceLight,
+    way: Vec3,
+    least: f32,
+) -> Option<(usize, Meeting)> {
+    let pixel = reciprocal(lit.inputs.frame.focal_px);
+    let mut nearest: Option<(usize, Meeting)> = None;
+    for (at, pillar) in lit.inputs.pillars.iter().enumerate() {
+        let here = meeting(pillar, three(&light.eye), way, pixel);
+        let is_nearer = nearest.is_none_or(|(_, met)| less(here.far, met.far));
+        if less(least, here.covered) && is_nearer {
+            nearest = Some((at, here));
+        }
+    }
+    nearest
+}
+
+/// What a pillar sends back from where the way meets it.
+fn pillar_light(
+    lit: Lit<'_>,
+    light: &SurfaceLight,
+    (at, met): (usize, Meeting),
+    way: Vec3,
+) -> Vec3 {
+    let pillar = &lit.inputs.pillars[at];
+    let spot = Spot {
+        place: three(&light.eye) + way * met.far,
+        normal: met.normal,
+        pillar: Some(at),
+        through: Vec2::new(pillar.extent[1], pillar.extent[2]),
+    };
+    three(&pillar.color) * light_on(lit, light, &spot)
 }
 
 /// One pixel, of which `nearness` and `faces` tell the samples: red, green and blue as bits, and what
@@ -155,18 +213,21 @@ pub fn surface(
     let ups = Vec4::splat(up) - SAMPLES_DOWN;
     let mut left = Vec::with_capacity(4);
     for sample in 0..4 {
-        if faces[sample] == 0 {
-            continue;
-        }
         let way = way_through(frame, rights[sample], ups[sample]);
-        let depth = reciprocal(f32::from_bits(nearness[sample]));
-        if is_hidden(lit, light, way, depth) {
-            (faces[sample], nearness[sample]) = (0, 0);
-        } else {
-            left.push(sample);
+        if faces[sample] != 0 {
+            let depth = reciprocal(f32::from_bits(nearness[sample]));
+            if is_hidden(lit, light, way, depth) {
+                (faces[sample], nearness[sample]) = (0, 0);
+            } else {
+                left.push(sample);
+            }
+        }
+        if faces[sample] == 0 {
+            let before = nearest_pillar(lit, light, way, HIDES);
+            nearness[sample] = before.map_or(0, |(_, met)| bits_of(reciprocal(met.far)));
         }
     }
-    let clear = 1.0 - f32_of_u32(left.len() as u32) * 0.25;
+    let mut clear = 1.0 - f32_of_u32(left.len() as u32) * 0.25;
     let mut sum = Vec3::ZERO;
     while let Some(&first) = left.first() {
         let face = faces[first];
@@ -183,6 +244,16 @@ pub fn surface(
         let share = reciprocal(count);
         let way = way_through(frame, right * share, up * share);
         sum += shaded(lit, light, face - 1, way, reciprocal(near * share)) * (count * 0.25);
+    }
+    let middle = way_through(
+        frame,
+        f32_of_u32(pixel % frame.width) + 0.5 - frame.center_x_px,
+        frame.center_y_px - f32_of_u32(pixel / frame.width) - 0.5,
+    );
+    if let Some(seen) = nearest_pillar(lit, light, middle, 0.0) {
+        let (_, Meeting { covered, .. }) = seen;
+        sum += pillar_light(lit, light, seen, middle) * (covered * clear);
+        clear *= 1.0 - covered;
     }
     [
         bits_of(sum.x),

@@ -8,7 +8,8 @@ use crate::exact::{bits_of, max_exact, reciprocal};
 use crate::layout::Flame;
 use crate::plan::FrameInputs;
 
-/// Writes the places of the flame's particle, from age 0 on: x, y, z as bits; w is 0.
+/// Writes the places of the flame's particle, from age 0 on: x, y, z as bits; w is 0. The kernel takes
+/// these steps twice where the wind stops the particle, which it looks after in a loop of its own.
 pub fn trace(inputs: &FrameInputs, flame: &Flame, steps: &mut [[u32; 4]]) {
     let fire = &inputs.fires[flame.fire() as usize];
     let (root, normal) = (Vec3::from(flame.root()), Vec3::from(flame.normal()));

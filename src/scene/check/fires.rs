@@ -3,8 +3,12 @@
 use crate::scene::read::{Reader, Spot};
 use crate::scene::{Fire, FireSpread, SceneError};
 
-/// Flames of all fires at most: what a binding holds of their discs on every adapter.
-const MOST_FLAMES: u64 = 100_000;
+/// Flames of all fires at most: what a binding holds of them on every adapter.
+const MOST_FLAMES: u64 = 1_000_000;
+
+/// Those that control points have dropped, and all where some may light what spreads: what a binding
+/// holds of their particles.
+const MOST_FLAMES_THAT_SPREAD: u64 = 100_000;
 
 /// Point lights of all fires at most.
 const MOST_LIGHTS: u32 = 64;
@@ -13,15 +17,42 @@ const MOST_LIGHTS: u32 = 64;
 /// at all others.
 const MOST_IGNITED: u64 = 16_384;
 
+/// Whether what it spreads over may catch fire from flames.
+fn catches(spread: &FireSpread) -> bool {
+    spread.catch_points.is_some()
+}
+
 /// There are not too many flames, nor too many lights, nor points where fires begin.
 pub(in crate::scene) fn flames(fires: &[Fire], spot: &Spot<'_>) -> Result<(), SceneError> {
-    let dropped = |fire: &Fire| fire.spread.as_ref().map_or(0, |spread| spread.max_flames);
-    let of_fire = |fire: &Fire| u64::from(fire.count()) + u64::from(dropped(fire));
-    let total: u64 = fires.iter().map(of_fire).sum();
-    if total > MOST_FLAMES {
-        let what = format!("the fires have {total} flames in all, too many");
-        let help =
-            format!("`count`s, `max_flames` and listed flames that sum to at most {MOST_FLAMES}");
+    let spreads = fires.iter().filter_map(|fire| fire.spread.as_ref());
+    let dropped: u64 = spreads.clone().map(|it| u64::from(it.max_flames)).sum();
+    let rooted: u64 = fires.iter().map(|fire| u64::from(fire.count())).sum();
+    let (total, may_catch) = (rooted + dropped, spreads.clone().any(catches));
+    let most = match may_catch {
+        true => MOST_FLAMES_THAT_SPREAD,
+        false => MOST_FLAMES,
+    };
+    if total > most || dropped > MOST_FLAMES_THAT_SPREAD {
+        let (what, help) = if dropped > MOST_FLAMES_THAT_SPREAD {
+            (
+                format!("the fires may have dropped {dropped} flames in all, too many"),
+                format!("`max_flames` that sum to at most {MOST_FLAMES_THAT_SPREAD}"),
+            )
+        } else if may_catch {
+            (
+                format!(
+                    "the fires have {total} flames in all, too many where something may catch fire"
+                ),
+                format!(
+                    "`count`s, `max_flames` and listed flames that sum to at most {most}, or no `catch_points`"
+                ),
+            )
+        } else {
+            (
+                format!("the fires have {total} flames in all, too many"),
+                format!("`count`s, `max_flames` and listed flames that sum to at most {most}"),
+            )
+        };
         return Err(spot.node.at.error(what, help));
     }
     let lights: u32 = fires.iter().map(|fire| fire.lights.count).sum();

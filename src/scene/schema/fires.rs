@@ -103,5 +103,5 @@ pub const RAMP: &[Field] = &[
 ];
 
 const EXTENT: Kind = numbers(1, 1e-6, 1e4);
-const COUNT: Kind = whole(1, 60_000);
+const COUNT: Kind = whole(1, 1_000_000);
 const LIGHT: Kind = numbers(3, 0.0, 1e3);
