@@ -7,7 +7,7 @@ use super::dispatch::dispatch_for;
 use super::kernel::Kernel;
 use super::sort;
 use crate::backend::BackendError;
-use crate::layout::{FLAME_LIGHTS, FLAME_STEPS};
+use crate::layout::{CLUSTER_LIGHTS, FLAME_LIGHTS, FLAME_STEPS};
 use crate::plan::{DetailPass, Plan, Population, Stage};
 
 /// How a stage uses a kernel.
@@ -101,6 +101,8 @@ enum Work {
     DetailShares,
     /// One for each point light that there may be, told how many fires there are.
     FlameLights,
+    /// One for each point light of particles that there may be.
+    Clusters,
     /// One a pixel, if there are surfaces.
     CoveredSurfaces,
     /// One a triangle of all surfaces, told whether nearness is known (1).
@@ -387,6 +389,21 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
         stage: Stage::Lights,
         kernel: "flames/gather",
         work: Work::FlameLights,
+    },
+    KernelUse {
+        stage: Stage::Clusters,
+        kernel: "particles/span",
+        work: Work::LivePages,
+    },
+    KernelUse {
+        stage: Stage::Clusters,
+        kernel: "particles/shed",
+        work: Work::LivePages,
+    },
+    KernelUse {
+        stage: Stage::Clusters,
+        kernel: "particles/cluster",
+        work: Work::Clusters,
     },
     KernelUse {
         stage: Stage::Ground,
@@ -850,6 +867,7 @@ impl GpuBackend {
             }
             Work::Flames => push(0, 0, &[plan.flame_count], direct(plan.flame_count)),
             Work::FlameLights => push(0, 0, &[plan.fire_count], direct(FLAME_LIGHTS)),
+            Work::Clusters => push(0, 0, &[], direct(CLUSTER_LIGHTS)),
             Work::FlameDiscs => push(0, 0, &[plan.flame_count, 0, 0], direct(plan.flame_count)),
             Work::DetailFlames => {
                 let DetailPass { octave, copy } = DetailPass::nth(turn);

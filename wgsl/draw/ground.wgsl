@@ -4,10 +4,11 @@
 // squared distance and the slant; pillars stand in its way, and let some of it through to their own
 // surface (wax).
 // One invocation a pixel: the line of sight meets a pillar, the plane, or neither.
-// Reads: frame, grounds, pillars, lamps, flame_lights. Writes: ground_pixels (red, green, blue and
+// Reads: frame, grounds, pillars, lamps, flame_lights, cluster_lights. Writes: ground_pixels (red, green, blue and
 // what shows of what is behind, as bits).
 // Invariant: a pixel depends on the frame, the surfaces and the lights alone.
 
+#import motes::cluster::{fallen, way_to}
 #import motes::dispatch::linear_index
 #import motes::exact::{
     at_least_zero, bits_of, clamp_unit, dot3, f32_of_u32, inverse_square_root, less, reciprocal,
@@ -17,6 +18,8 @@
 #import motes::pillar::{Meeting, meeting, passed}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
+// Whether particles throw light.
+const CLUSTERS: bool = #{CLUSTERS};
 // No pillar.
 const NO_PILLAR: u32 = 0xffffffffu;
 // Ways to the ground, in lengths of the way, at most.
@@ -28,6 +31,7 @@ const FARTHEST_GROUND: f32 = 1e6f;
 @group(0) @binding(3) var<storage, read> lamps: array<Lamp>;
 @group(0) @binding(4) var<storage, read> flame_lights: array<FlameLight>;
 @group(0) @binding(5) var<storage, read_write> ground_pixels: array<vec4<u32>>;
+@group(0) @binding(6) var<storage, read> cluster_lights: array<FlameLight>;
 
 // A place of a surface, its unit normal, its pillar, and what that lets through: how much, and the
 // inverse of the squared distance at which it is half.
@@ -53,6 +57,18 @@ fn from_point(ground: Ground, spot: Spot, light: vec3<f32>, extent: f32, color: 
     return color * ((falls * seen + own) * near * near);
 }
 
+// The light of particles.
+fn from_cluster(ground: Ground, spot: Spot, light: FlameLight) -> vec3<f32> {
+    let way = way_to(light, spot.place, spot.normal);
+    var falls = fallen(way, spot.normal);
+    for (var at = 0u; at < ground.counts.x; at += 1u) {
+        if at != spot.pillar {
+            falls *= passed(pillars[at], spot.place, spot.place + way);
+        }
+    }
+    return bitcast<vec3<f32>>(light.color.xyz) * falls;
+}
+
 fn light_on(ground: Ground, spot: Spot) -> vec3<f32> {
     let straight = at_least_zero(dot3(spot.normal, ground.light_from.xyz));
     var light = ground.ambient.xyz + ground.light_color.xyz * straight;
@@ -66,6 +82,11 @@ fn light_on(ground: Ground, spot: Spot) -> vec3<f32> {
         let place = bitcast<vec4<f32>>(flame.place);
         let color = bitcast<vec3<f32>>(flame.color.xyz);
         light += from_point(ground, spot, place.xyz, place.w, color, spot.through.x);
+    }
+    if CLUSTERS {
+        for (var at = 1u; at <= cluster_lights[0].place.x; at += 1u) {
+            light += from_cluster(ground, spot, cluster_lights[at]);
+        }
     }
     return light;
 }

@@ -5,10 +5,11 @@
 // normal is between those of its corners. Samples behind a planet, a ground or a pillar are of none,
 // and hide nothing.
 // One invocation a pixel. Reads: frame, surfaces, surface_corners, surface_light, lamps, flame_lights,
-// pillars. Reads and writes: surface_nearness, surface_faces (0 where nothing shows). Writes:
+// cluster_lights, pillars. Reads and writes: surface_nearness, surface_faces (0 where nothing shows). Writes:
 // surface_pixels (red, green, blue, and what shows of what is behind, as bits).
 // Invariant: a pixel depends on its samples, the frame and the lights alone.
 
+#import motes::cluster::{fallen, way_to}
 #import motes::dispatch::linear_index
 #import motes::exact::{
     at_least_zero, bits_of, clamp_unit, cross3, dot3, f32_of_u32, inverse_square_root, less,
@@ -23,6 +24,8 @@ const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 // Whether there is a planet, a ground or a pillar.
 const PLANET: bool = #{PLANET};
 const GROUND: bool = #{GROUND};
+// Whether particles throw light.
+const CLUSTERS: bool = #{CLUSTERS};
 // Whether a surface has grain.
 const GRAINS: bool = #{GRAINS};
 // A ground or a pillar that covers more of its pixel hides.
@@ -38,6 +41,7 @@ const HIDES: f32 = 0.5f;
 @group(0) @binding(7) var<storage, read_write> surface_nearness: array<vec4<u32>>;
 @group(0) @binding(8) var<storage, read_write> surface_faces: array<vec4<u32>>;
 @group(0) @binding(9) var<storage, read_write> surface_pixels: array<vec4<u32>>;
+@group(0) @binding(10) var<storage, read> cluster_lights: array<FlameLight>;
 
 // The way from the eye through a place in the picture, as far as depth 1.
 fn way_through(right: f32, up: f32) -> vec3<f32> {
@@ -98,6 +102,19 @@ fn light_on(light: SurfaceLight, place: vec3<f32>, normal: vec3<f32>) -> vec3<f3
         let source = bitcast<vec4<f32>>(flame.place);
         let color = bitcast<vec3<f32>>(flame.color.xyz);
         sum += color * from_point(light, place, normal, source.xyz, source.w);
+    }
+    if CLUSTERS {
+        for (var at = 1u; at <= cluster_lights[0].place.x; at += 1u) {
+            let cluster = cluster_lights[at];
+            let way = way_to(cluster, place, normal);
+            var falls = fallen(way, normal);
+            if GROUND {
+                for (var pillar = 0u; pillar < light.kinds.z; pillar += 1u) {
+                    falls *= passed(pillars[pillar], place, place + way);
+                }
+            }
+            sum += bitcast<vec3<f32>>(cluster.color.xyz) * falls;
+        }
     }
     return sum;
 }

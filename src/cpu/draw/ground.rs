@@ -3,6 +3,7 @@
 
 use glam::{Vec2, Vec3};
 
+use crate::cpu::cluster::{fallen, way_to};
 use crate::cpu::pillar::{Meeting, meeting, passed};
 use crate::exact::{
     at_least_zero, bits_of, clamp_unit, dot3, f32_of_u32, inverse_square_root, less, reciprocal,
@@ -26,6 +27,8 @@ pub struct Lit<'a> {
     pub inputs: &'a FrameInputs,
     /// The lights of flames.
     pub flames: &'a [FlameLight],
+    /// Those of particles.
+    pub clusters: &'a [FlameLight],
 }
 
 /// A place of a surface, its unit normal, its pillar, and what that lets through: how much, and the
@@ -63,6 +66,18 @@ fn from_point(lit: Lit<'_>, spot: &Spot, light: &Point) -> Vec3 {
     light.color * ((falls * seen + own) * near * near)
 }
 
+/// The light of particles.
+fn from_cluster(lit: Lit<'_>, spot: &Spot, light: &FlameLight) -> Vec3 {
+    let way = way_to(light, spot.place, spot.normal);
+    let mut falls = fallen(way, spot.normal);
+    for (at, pillar) in lit.inputs.pillars.iter().enumerate() {
+        if Some(at) != spot.pillar {
+            falls *= passed(pillar, spot.place, spot.place + way);
+        }
+    }
+    three(&light.color.map(f32::from_bits)) * falls
+}
+
 fn light_on(lit: Lit<'_>, ground: &Ground, spot: &Spot) -> Vec3 {
     let straight = at_least_zero(dot3(spot.normal, three(&ground.light_from)));
     let mut light = three(&ground.ambient) + three(&ground.light_color) * straight;
@@ -84,6 +99,9 @@ fn light_on(lit: Lit<'_>, ground: &Ground, spot: &Spot) -> Vec3 {
             through: spot.through.x,
         };
         light += from_point(lit, spot, &point);
+    }
+    for cluster in lit.clusters {
+        light += from_cluster(lit, spot, cluster);
     }
     light
 }

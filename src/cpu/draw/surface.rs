@@ -3,6 +3,7 @@
 
 use glam::{Vec3, Vec4};
 
+use crate::cpu::cluster::{fallen, way_to};
 use crate::cpu::grain::grain_at;
 use crate::cpu::pillar::{meeting, passed};
 use crate::cpu::raster::{SAMPLES_DOWN, SAMPLES_RIGHT, normal_of, world_of};
@@ -25,6 +26,8 @@ pub struct Lit<'a> {
     pub inputs: &'a FrameInputs,
     /// The lights of flames.
     pub flames: &'a [FlameLight],
+    /// Those of particles.
+    pub clusters: &'a [FlameLight],
     /// Corners of all stored triangles.
     pub corners: &'a [[u32; 4]],
 }
@@ -89,6 +92,14 @@ fn light_on(lit: Lit<'_>, light: &SurfaceLight, place: Vec3, normal: Vec3) -> Ve
         let [x, y, z, extent] = flame.place.map(f32::from_bits);
         let color = three(&flame.color.map(f32::from_bits));
         sum += color * from_point(lit, place, normal, Vec3::new(x, y, z), extent);
+    }
+    for cluster in lit.clusters {
+        let way = way_to(cluster, place, normal);
+        let mut falls = fallen(way, normal);
+        for pillar in &lit.inputs.pillars {
+            falls *= passed(pillar, place, place + way);
+        }
+        sum += three(&cluster.color.map(f32::from_bits)) * falls;
     }
     sum
 }
