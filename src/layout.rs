@@ -93,8 +93,9 @@ pub struct SystemRow {
     pub color_rate: [f32; 4],
     /// Half-widths of those rates.
     pub color_rate_var: [f32; 4],
-    /// Generation shape, particle shape, streak light or what a stroke is like, flags (the constants
-    /// below).
+    /// Generation shape, particle shape, what a stroke is like or, but for the lowest bit, which is how
+    /// light is spread along a streak, the bits of the factor of what particles throw on surfaces; flags
+    /// (the constants below).
     pub kinds: [u32; 4],
 }
 
@@ -127,7 +128,7 @@ shared_constants! {
     pub const PARTICLE_STREAK: u32 = 2;
     /// Drawn as its whole trajectory.
     pub const PARTICLE_STROKE: u32 = 3;
-    /// [`SystemRow::kinds`]`[2]`: a streak's total light is that of the disc at rest.
+    /// Lowest bit of [`SystemRow::kinds`]`[2]`: a streak's total light is that of the disc at rest.
     pub const STREAK_CONSERVED: u32 = 0;
     /// A streak's covered pixels get the full colour.
     pub const STREAK_CONSTANT: u32 = 1;

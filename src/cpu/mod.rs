@@ -5,6 +5,7 @@
 
 pub mod behind;
 pub mod boid;
+pub mod cluster;
 pub mod cover;
 pub mod detail;
 mod digest;
@@ -53,6 +54,7 @@ use flames::Flames;
 use flock::Flocks;
 use light::LightSums;
 use particle::{Identity, row_index};
+use particles::cluster::Clusters;
 use particles::cull::{Fate, fate_of};
 use spread::Spreads;
 use tree::Tree;
@@ -97,6 +99,9 @@ pub struct CpuBackend {
     covers: Vec<Cover>,
     /// How many of them are of particles, of boids, of marks, of fronts, of smoke and of strokes.
     families: [usize; 6],
+    /// Whether particles throw light on anything.
+    has_clusters: bool,
+    clusters: Clusters,
     /// Empty if clouds throw no shadows, as the one below.
     shade_sums: Vec<u32>,
     shade_light: Vec<u32>,
@@ -157,6 +162,8 @@ impl CpuBackend {
             has_covers: plan.uses.covers,
             covers: Vec::new(),
             families: [0; 6],
+            has_clusters: plan.gathers_clusters(),
+            clusters: Clusters::default(),
             shade_sums: try_zeroed(plan.shade_cells.pow(3) as usize, "cells")?,
             shade_light: try_zeroed(plan.shade_cells.pow(3) as usize, "cells")?,
             stroke_records: plan.stroke_records,
@@ -174,7 +181,11 @@ impl CpuBackend {
         }
         if stage == Stage::Tree {
             self.keep_rows(inputs);
-            self.tree.step(inputs, &mut self.rows);
+            let stored = particles::emit::Stored {
+                curve_points: &self.curve_points,
+                meshes: &self.meshes,
+            };
+            self.tree.step(inputs, &mut self.rows, stored);
             return Ok(());
         }
         if self.tree.is_empty() {
@@ -209,9 +220,22 @@ impl CpuBackend {
                 self.spreads.catch(inputs, &flames.steps, burns);
             }
             Stage::Lights => self.flames.gather(inputs),
+            Stage::Clusters if self.has_clusters => {
+                let (particles, rows) = (&self.particles, &self.rows);
+                let span = particles::cluster::span(particles, inputs, rows);
+                let sums = particles::cluster::shed(particles, inputs, rows, span);
+                let lights = particles::cluster::cluster(span, &sums);
+                self.clusters = Clusters { span, sums, lights };
+            }
+            Stage::Clusters => {}
             Stage::Ground => {
                 let flames = &self.flames.lights;
-                let lit = draw::ground::Lit { inputs, flames };
+                let clusters = cluster::lights_of(&self.clusters.lights);
+                let lit = draw::ground::Lit {
+                    inputs,
+                    flames,
+                    clusters,
+                };
                 let pixels = self.ground_pixels.par_iter_mut().with_min_len(1024);
                 pixels.enumerate().for_each(|(pixel, out)| {
                     *out = draw::ground::ground(lit, &inputs.grounds[0], pixel as u32);
@@ -275,10 +299,10 @@ impl CpuBackend {
             }
             Stage::Shapes | Stage::Cover => {}
             Stage::Planet => {
+                let clusters = cluster::lights_of(&self.clusters.lights);
                 let pixels = self.planet_pixels.par_iter_mut().with_min_len(1024);
                 pixels.enumerate().for_each(|(pixel, out)| {
-                    let planet = &inputs.planets[0];
-                    *out = draw::planet::planet(&inputs.frame, planet, &inputs.lamps, pixel as u32);
+                    *out = draw::planet::planet(inputs, clusters, pixel as u32);
                 });
                 self.light.clear();
                 self.splat(inputs, true);
@@ -320,9 +344,11 @@ impl CpuBackend {
         [self.surface_nearness, self.surface_faces] =
             draw::surface_raster::surface_raster(&inputs.frame, &inputs.surfaces, corners);
         let flames = &self.flames.lights;
+        let clusters = cluster::lights_of(&self.clusters.lights);
         let lit = draw::surface::Lit {
             inputs,
             flames,
+            clusters,
             corners,
         };
         let (nearness, _) = self.surface_nearness.as_chunks_mut::<4>();
@@ -571,6 +597,10 @@ impl Backend for CpuBackend {
             "catches" => bytemuck::cast_slice(&self.spreads.catches).to_vec(),
             "ring_spans" => bytemuck::cast_slice(&self.spreads.ring_spans).to_vec(),
             "spread_counts" => bytemuck::cast_slice(&[self.spreads.counts]).to_vec(),
+            "cluster_span" if !self.has_clusters => Vec::new(),
+            "cluster_span" => self.clusters.span.to_vec(),
+            "cluster_sums" => self.clusters.sums.clone(),
+            "cluster_lights" => bytemuck::cast_slice(&self.clusters.lights).to_vec(),
             "shade_sums" => self.shade_sums.clone(),
             "shade_light" => self.shade_light.clone(),
             "covers" => try_copied(bytemuck::cast_slice(&self.covers), "what covers")?,

@@ -23,6 +23,8 @@ shared_constants! {
     pub const STREAM_RATES: u32 = 4;
     /// The moment of birth within its frame, the rate of the size.
     pub const STREAM_MOMENT: u32 = 5;
+    /// Which point light stands for it.
+    pub const STREAM_CLUSTER: u32 = 6;
     /// The least size at birth: a particle always covers something.
     pub const LEAST_SIZE: f32 = 0.000001;
 }

@@ -54,7 +54,7 @@ pub(crate) fn sprite_of(inputs: &FrameInputs, row: &SystemRow, particle: &Partic
         color: look.color * light,
         surface: look.color.extend(1.0 - look.transparency),
         square: row.kinds[1] == PARTICLE_RECTANGLE,
-        conserved: row.kinds[2] != STREAK_CONSTANT,
+        conserved: row.kinds[2] & STREAK_CONSTANT == 0,
     }
 }
 

@@ -7,7 +7,7 @@ use super::dispatch::dispatch_for;
 use super::kernel::Kernel;
 use super::sort;
 use crate::backend::BackendError;
-use crate::layout::{FLAME_LIGHTS, FLAME_STEPS};
+use crate::layout::{CLUSTER_LIGHTS, FLAME_LIGHTS, FLAME_STEPS};
 use crate::plan::{DetailPass, Plan, Population, Stage};
 
 /// How a stage uses a kernel.
@@ -101,6 +101,8 @@ enum Work {
     DetailShares,
     /// One for each point light that there may be, told how many fires there are.
     FlameLights,
+    /// One for each point light of particles that there may be.
+    Clusters,
     /// One a pixel, if there are surfaces or pillars.
     CoveredSurfaces,
     /// One a triangle of all surfaces, told whether nearness is known (1).
@@ -387,6 +389,21 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
         stage: Stage::Lights,
         kernel: "flames/gather",
         work: Work::FlameLights,
+    },
+    KernelUse {
+        stage: Stage::Clusters,
+        kernel: "particles/span",
+        work: Work::LivePages,
+    },
+    KernelUse {
+        stage: Stage::Clusters,
+        kernel: "particles/shed",
+        work: Work::LivePages,
+    },
+    KernelUse {
+        stage: Stage::Clusters,
+        kernel: "particles/cluster",
+        work: Work::Clusters,
     },
     KernelUse {
         stage: Stage::Ground,
@@ -852,6 +869,7 @@ impl GpuBackend {
                 |(page, (first, count))| push(page, 0, &[count, first], direct(count)),
             ),
             Work::FlameLights => push(0, 0, &[plan.fire_count], direct(FLAME_LIGHTS)),
+            Work::Clusters => push(0, 0, &[], direct(CLUSTER_LIGHTS)),
             Work::FlameDiscs | Work::DetailFlames => {
                 let DetailPass { octave, copy } = match kernel_use.work {
                     Work::DetailFlames => DetailPass::nth(turn),

@@ -267,6 +267,7 @@ impl Memory {
     pub(super) fn begin(&self, stage: Stage, encoder: &mut wgpu::CommandEncoder) {
         let names: &[&str] = match stage {
             Stage::Lights => &["flame_sums"],
+            Stage::Clusters => &["cluster_span", "cluster_sums"],
             Stage::Surface => &["large_faces", "surface_nearness", "surface_faces"],
             Stage::Shade => &["shade_sums"],
             Stage::Shapes => &["cover_counts"],

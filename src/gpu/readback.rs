@@ -131,6 +131,7 @@ impl GpuBackend {
             "planet_pixels" | "ground_pixels" | "surface_nearness" | "surface_faces"
             | "surface_pixels" | "cover_front" => 0,
             "shade_sums" | "shade_light" => u64::from(self.shade_cells).pow(3),
+            "cluster_span" | "cluster_sums" | "cluster_lights" if !self.has_clusters => 0,
             "light_low" | "light_high" => pixels * 3,
             _ => whole.size() / 4,
         };

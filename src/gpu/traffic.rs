@@ -8,8 +8,9 @@
 use super::commands::STAGE_KERNELS;
 use super::sort;
 use crate::layout::{
-    Boid, Cover, Dispatch, DroppedFlame, FLAME_LIGHTS, FLAME_STEPS, Flame, FlameDisc, FlameLight,
-    Node, Particle, Pose, SpreadPoint, StripJoint, SystemFrame, SystemRow, Walker,
+    Boid, CLUSTER_LIGHTS, Cover, Dispatch, DroppedFlame, FLAME_LIGHTS, FLAME_STEPS, Flame,
+    FlameDisc, FlameLight, Node, Particle, Pose, SpreadPoint, StripJoint, SystemFrame, SystemRow,
+    Walker,
 };
 use crate::plan::{Stage, Uses};
 
@@ -101,6 +102,9 @@ const DIGITS: u64 = sort::DIGITS as u64;
 
 /// Bytes of a word.
 const WORD: u64 = 4;
+
+/// Bytes of what particles give to the point lights that stand for them.
+const CLUSTER_SUMS: u64 = CLUSTER_LIGHTS as u64 * 16 * WORD;
 
 /// Bytes of one pixel's light in one of its two limbs.
 const LIMB: u64 = 3 * WORD;
@@ -303,6 +307,16 @@ static TABLE: &[Line] = &[
     ("flames/gather", |_| {
         let lights = u64::from(FLAME_LIGHTS);
         (lights, lights * (8 * WORD + size_of::<FlameLight>() as u64))
+    }),
+    ("particles/span", |load| {
+        (load.live, load.live * PARTICLE + 7 * WORD)
+    }),
+    ("particles/shed", |load| {
+        (load.live, load.live * PARTICLE + CLUSTER_SUMS)
+    }),
+    ("particles/cluster", |_| {
+        let lights = u64::from(CLUSTER_LIGHTS) * size_of::<FlameLight>() as u64;
+        (CLUSTER_LIGHTS.into(), CLUSTER_SUMS + lights)
     }),
     ("draw/ground", |load| (load.pixels, load.pixels * 4 * WORD)),
     ("draw/surface_raster", |load| {

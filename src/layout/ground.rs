@@ -7,7 +7,12 @@ use crate::exact::shared_constants;
 shared_constants! {
     /// Point lights of all flames, at most.
     pub const FLAME_LIGHTS: u32 = 64;
-    /// [`FireFrame::lights`](super::FireFrame::lights) are of so many steps a whole weight.
+    /// Corners of cells along each side of the cube in which particles are gathered to point lights.
+    pub const CLUSTERS_ACROSS: u32 = 8;
+    /// All of them: point lights of particles, at most.
+    pub const CLUSTER_LIGHTS: u32 = 512;
+    /// [`FireFrame::lights`](super::FireFrame::lights) are of so many steps a whole weight; so are what
+    /// particles give.
     pub const LIGHT_WEIGHT_STEPS: f32 = 1_073_741_824.0;
 }
 
@@ -50,7 +55,7 @@ pub struct Pillar {
     pub color: [f32; 4],
 }
 
-/// A point light that stands for flames.
+/// A point light that stands for flames, or for particles.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 pub struct FlameLight {

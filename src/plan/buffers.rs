@@ -2,12 +2,12 @@
 
 use super::Plan;
 use crate::layout::{
-    AgeLook, Boid, Bound, Brood, Counts, Cover, Dispatch, DroppedFlame, FLAME_LIGHTS, FLAME_STEPS,
-    FireFrame, Flame, FlameDisc, FlameLight, FlockFrame, Frame, FrameStats, Ground, Ignition, Lamp,
-    ListedFlame, Node, Obstacle, Particle, Pillar, Planet, Pose, ROWS_A_SOLID_FACE, Relation,
-    ShadeBox, SpreadCounts, SpreadEdge, SpreadFace, SpreadFeature, SpreadFrame, SpreadPiece,
-    SpreadPoint, StripJoint, StrokeLight, SurfaceFrame, SurfaceLight, SystemFrame, SystemRow,
-    Walker, Wind,
+    AgeLook, Boid, Bound, Brood, CLUSTER_LIGHTS, Counts, Cover, Dispatch, DroppedFlame,
+    FLAME_LIGHTS, FLAME_STEPS, FireFrame, Flame, FlameDisc, FlameLight, FlockFrame, Frame,
+    FrameStats, Ground, Ignition, Lamp, ListedFlame, Node, Obstacle, Particle, Pillar, Planet,
+    Pose, ROWS_A_SOLID_FACE, Relation, ShadeBox, SpreadCounts, SpreadEdge, SpreadFace,
+    SpreadFeature, SpreadFrame, SpreadPiece, SpreadPoint, StripJoint, StrokeLight, SurfaceFrame,
+    SurfaceLight, SystemFrame, SystemRow, Walker, Wind,
 };
 
 /// What a buffer is for.
@@ -118,6 +118,9 @@ pub enum Count {
     CoveredPixels(u32),
     /// One a cell of the box in which clouds throw shadows on themselves.
     ShadeCells,
+    /// So many for each point light of particles that there may be, and so many more, if particles throw
+    /// light on anything.
+    Clusters(u32, u32),
     /// A list of the backend's.
     Backend,
 }
@@ -282,6 +285,15 @@ pub static BUFFERS: &[Buffer] = {
             "ShadeBox",
             size_of::<ShadeBox>(),
             Count::Fixed(1),
+        ),
+        buffer_of("cluster_span", State, "u32", 4, Count::Clusters(0, 8)),
+        buffer_of("cluster_sums", State, "u32", 4, Count::Clusters(16, 0)),
+        buffer_of(
+            "cluster_lights",
+            State,
+            "FlameLight",
+            size_of::<FlameLight>(),
+            Count::Clusters(1, 1),
         ),
         buffer_of("shade_sums", State, "u32", 4, Count::ShadeCells),
         buffer_of("shade_light", State, "u32", 4, Count::ShadeCells),
@@ -689,6 +701,10 @@ impl Buffer {
             | Count::FrontPixels => 0,
             Count::Pixels(each) => (plan.width * plan.height).next_multiple_of(4) * each,
             Count::ShadeCells => plan.shade_cells.pow(3),
+            Count::Clusters(each, extra) if plan.gathers_clusters() => {
+                CLUSTER_LIGHTS * each + extra
+            }
+            Count::Clusters(..) => 0,
             Count::Backend => return None,
         })
     }

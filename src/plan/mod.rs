@@ -392,6 +392,7 @@ impl Plan {
             Stage::Ground => self.uses.ground,
             Stage::Surface => self.uses.surfaces,
             Stage::Lights => (self.uses.ground || self.uses.surfaces) && self.fire_count > 0,
+            Stage::Clusters => self.gathers_clusters(),
             Stage::Hatch | Stage::Cells | Stage::Steer => self.flock_count > 0,
             Stage::Shapes | Stage::Cover => self.uses.covers,
             Stage::Shade => self.shade_cells > 0,
@@ -402,6 +403,12 @@ impl Plan {
             Stage::Kindle | Stage::Trace | Stage::FlameDiscs | Stage::Glow => self.fire_count > 0,
             _ => true,
         }
+    }
+
+    /// Whether particles throw light on anything.
+    pub(crate) fn gathers_clusters(&self) -> bool {
+        let is_lit = self.uses.planet || self.uses.ground || self.surface_count > 0;
+        self.uses.clusters && is_lit
     }
 
     /// Lists of control points that are near to each other: a power of two.

@@ -36,6 +36,8 @@ pub enum Stage {
     Catch,
     /// Flames give light to the points that stand for them.
     Lights,
+    /// Particles give theirs.
+    Clusters,
     /// The ground, in that light.
     Ground,
     /// Triangles, lit.
@@ -90,6 +92,8 @@ pub static STAGES: &[StageInfo] = &[
             "row_spreads",
             "poses",
             "nodes",
+            "mesh_faces",
+            "mesh_choices",
         ],
         writes: &["nodes", "tree_counts", "poses", "system_frames", "rows"],
         draws: false,
@@ -280,9 +284,23 @@ pub static STAGES: &[StageInfo] = &[
         draws: true,
     },
     StageInfo {
+        stage: Stage::Clusters,
+        name: "cluster",
+        reads: &["frame", "system_frames", "rows", "counts", "particles"],
+        writes: &["cluster_span", "cluster_sums", "cluster_lights"],
+        draws: true,
+    },
+    StageInfo {
         stage: Stage::Ground,
         name: "ground",
-        reads: &["frame", "grounds", "pillars", "lamps", "flame_lights"],
+        reads: &[
+            "frame",
+            "grounds",
+            "pillars",
+            "lamps",
+            "flame_lights",
+            "cluster_lights",
+        ],
         writes: &["ground_pixels"],
         draws: true,
     },
@@ -296,6 +314,7 @@ pub static STAGES: &[StageInfo] = &[
             "surface_light",
             "lamps",
             "flame_lights",
+            "cluster_lights",
             "pillars",
         ],
         writes: &["surface_nearness", "surface_faces", "surface_pixels"],
@@ -358,6 +377,7 @@ pub static STAGES: &[StageInfo] = &[
             "frame",
             "planets",
             "lamps",
+            "cluster_lights",
             "system_frames",
             "rows",
             "counts",
@@ -466,6 +486,11 @@ impl Stage {
             Self::Lights => {
                 let is_lit = !inputs.grounds.is_empty() || !inputs.surface_lights.is_empty();
                 is_lit && !inputs.fires.is_empty()
+            }
+            Self::Clusters => {
+                !inputs.planets.is_empty()
+                    || !inputs.grounds.is_empty()
+                    || !inputs.surfaces.is_empty()
             }
             Self::Front | Self::Insert => !inputs.spreads.is_empty(),
             Self::Block => {

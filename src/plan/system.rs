@@ -299,8 +299,8 @@ pub(super) fn system_row(system: &System, meshes: &MeshTables) -> SystemRow {
     };
     let streak = match system.streak_light {
         _ if is_stroke(system) => word_of(system),
-        StreakLight::Conserved => layout::STREAK_CONSERVED,
-        StreakLight::Constant => layout::STREAK_CONSTANT,
+        StreakLight::Conserved => layout::STREAK_CONSERVED | thrown_by(system),
+        StreakLight::Constant => layout::STREAK_CONSTANT | thrown_by(system),
     };
     let with_transparency = |[red, green, blue]: [f32; 3], transparency: f32| {
         [red, green, blue, transparency].map(snap)
@@ -340,6 +340,11 @@ pub(super) fn system_row(system: &System, meshes: &MeshTables) -> SystemRow {
         color_rate_var: with_transparency(color.rate_var, clear.rate_var),
         kinds: [shape, particle, streak, row_flags(system)],
     }
+}
+
+/// The factor of what its particles throw on surfaces, in all bits but the lowest.
+fn thrown_by(system: &System) -> u32 {
+    snap(system.light).to_bits() & !layout::STREAK_CONSTANT
 }
 
 fn row_flags(system: &System) -> u32 {

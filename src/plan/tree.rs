@@ -93,10 +93,10 @@ pub(super) fn broods(scene: &Scene, lifetime_bound: u32) -> Vec<Brood> {
         };
         let burst = system.bursts.first();
         let parent = parent_of(systems, system);
-        let of_rings = |index: usize| {
+        let is_curved = |index: usize| {
             matches!(
                 systems[index].generation_shape,
-                GenerationShape::Rings { .. }
+                GenerationShape::Rings { .. } | GenerationShape::Mesh { .. }
             )
         };
         let shrinks = [
@@ -110,7 +110,7 @@ pub(super) fn broods(scene: &Scene, lifetime_bound: u32) -> Vec<Brood> {
                 slot(parent),
                 level_of(systems, system),
                 flag(
-                    system.child_up == ChildUp::Outward || parent.is_some_and(of_rings),
+                    system.child_up == ChildUp::Outward || parent.is_some_and(is_curved),
                     layout::BROOD_OUTWARD,
                 ) | flag(
                     system.particle_space == ParticleSpace::World,

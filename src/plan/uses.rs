@@ -4,8 +4,8 @@ use super::FrameInputs;
 use crate::layout::{
     BOID_CONE, BOID_TRIANGLE, EDGES_TORUS, FIRE_STRIP, FireFrame, FlockFrame, GRAIN_NONE,
     OBSTACLE_MESH, Obstacle, PARTICLE_RECTANGLE, PARTICLE_STREAK, PARTICLE_STROKE, ROW_OVER,
-    Relation, SHAPE_MESH, SystemFrame, SystemRow, WIND_ATTRACTOR, WIND_CURL, WIND_SOURCE,
-    WIND_VORTEX, Wind,
+    Relation, SHAPE_MESH, STREAK_CONSTANT, SystemFrame, SystemRow, WIND_ATTRACTOR, WIND_CURL,
+    WIND_SOURCE, WIND_VORTEX, Wind,
 };
 
 macro_rules! uses {
@@ -123,6 +123,8 @@ uses! {
     strokes "STROKES";
     /// Clouds that throw shadows on themselves.
     shades "SHADES";
+    /// Particles that throw light on surfaces.
+    clusters "CLUSTERS";
 }
 
 fn has_matrix(fire: &FireFrame) -> bool {
@@ -262,6 +264,7 @@ impl Uses {
             meshes: row.kinds[0] == SHAPE_MESH,
             light_distances: row.ejection_and_light[2] > 0.0,
             covers: row.kinds[3] & ROW_OVER != 0,
+            clusters: row.kinds[1] != PARTICLE_STROKE && row.kinds[2] & !STREAK_CONSTANT != 0,
             ..Self::default()
         }
     }

@@ -100,6 +100,9 @@ pub struct System {
     /// Distance at which a particle's light is as its colour says, falling with the square of the
     /// distance, 0.000001 ..= 1,000,000; `None`: light does not depend on it (2.5, further work).
     pub light_distance: Option<f32>,
+    /// Factor of the light that its particles throw on the planet, the ground and surfaces,
+    /// 0 ..= 1,000,000; 1 is what they send to the picture (section 3, what is missing). Default 0.
+    pub light: f32,
 }
 
 /// Which way is up for a system that another one has borne.

@@ -62,9 +62,9 @@ pub(crate) fn all_kinds_of_surfaces() -> Scene {
     };
     let systems = [
         system("dots", "size = 0.01"),
-        system("discs", "size = { mean = 0.1, var = 0.1 }"),
-        system("streaks", "size = 0.02\nparticle_shape = \"streak\""),
-        system("squares", "size = 0.05\nparticle_shape = \"rectangle\""),
+        system("discs", "size = { mean = 0.1, var = 0.1 }\nlight = 2"),
+        system("streaks", "size = 0.02\nparticle_shape = \"streak\"\nstreak_light = \"constant\"\nlight = { keys = [[0, 0], [4, 40]] }"),
+        system("squares", "size = 0.05\nparticle_shape = \"rectangle\"\nlight = 3"),
         system("smoke", "size = 0.3\nblend = \"over\"\ntransparency = 0.4"),
         system(
             "balls",

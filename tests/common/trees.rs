@@ -110,6 +110,7 @@ pub(crate) fn lit_planet() -> Scene {
     lifetime = { mean = 10, var = 2 }
     color = [0.4, 0.1, 0.02]
     size = 0.05
+    light = 40
          [system.inherit]
          speed = 0.1
          [[system]]

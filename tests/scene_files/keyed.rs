@@ -38,6 +38,7 @@ pub(crate) const CHANGING: &[(&str, &str, &str, &str)] = &[
     ("system", "drag", "0", "1"),
     ("system", "intensity_threshold", "0", "0.5"),
     ("system", "light_distance", "1", "8"),
+    ("system", "light", "0", "12"),
     ("fire", "position", "[0, 0, 0]", "[-1, 2, 3]"),
     ("fire", "rotation_degrees", "[0, 36_000]", "[-36_000, 45]"),
     ("fire", "height", "1", "2"),

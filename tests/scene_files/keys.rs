@@ -99,6 +99,7 @@ pub(crate) const KEYS: &[(&str, &str, &str, &str, &str)] = &[
     ("system", "intensity_threshold", "[0]", "-0.01", "from 0 to 1000"),
     ("system", "intensity", "0.01", "\"bright\"", "\"brightest\", \"luminance\""),
     ("system", "light_distance", "\"far\"", "0", "from 0.000001 to 1_000_000, world units"),
+    ("system", "light", "\"dim\"", "-0.5", "from 0 to 1_000_000"),
     ("burst", "frame", "1.5", "-65_001", "from -65_000 to 1_000_000"),
     ("burst", "parts", "\"many\"", "-1", "from 0 to 16_000_000"),
     ("extinction.distance", "direction", "3", "[0, 0, 0]", "3 numbers, each from -1_000_000 to 1_000_000"),

@@ -71,6 +71,7 @@ fn minimal_system() -> System {
         intensity: Intensity::Brightest,
         extinctions: vec![],
         light_distance: None,
+        light: 0.0,
     }
 }
 
@@ -227,6 +228,7 @@ fn first_system() -> System {
             },
         ],
         light_distance: Some(7.5),
+        light: 2.5,
     }
 }
 

@@ -130,6 +130,7 @@ stroke_shadow = 0.125
 intensity_threshold = 0.01
 intensity = "luminance"
 light_distance = 7.5
+light = 2.5
 [[system.burst]]
 frame = 13
 parts = { mean = 500, var = 50 }

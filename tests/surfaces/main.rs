@@ -6,6 +6,7 @@ mod common;
 mod explosions;
 mod hiding;
 mod light;
+mod particles;
 mod reference;
 mod support;
 mod twins;

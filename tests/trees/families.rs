@@ -4,7 +4,7 @@ use motes::layout::{NODE_LIVES, SystemRow};
 use motes::scene::Scene;
 
 use crate::common::statistics::assert_uniform;
-use crate::support::{CHILD, PARENT, Run, dot, family, length, origin, particles, scene};
+use crate::support::{CHILD, PARENT, Run, dot, family, length, origin, particles, scene, up};
 
 /// Three levels: clouds bear clusters, which bear puffs, which bear particles.
 fn three_levels() -> Scene {
@@ -357,4 +357,66 @@ fn r42_children_leave_as_their_parents_particles_would() {
         let off = [0, 1, 2].map(|i| origin(system)[i] - expected[i]);
         assert!(dot(off, off) < 1e-8, "{off:?}");
     }
+}
+
+/// Systems that a cube with edges of two units bears, all over it.
+fn cube_family() -> Scene {
+    let parent = PARENT
+        .replace("parts = 3", "parts = 60")
+        .replace(
+            "{ kind = \"circle\", radius = 5 }",
+            "{ kind = \"mesh\", mesh = \"cube\", scale = 2 }",
+        )
+        .replace("speed = { mean = 0.1, var = 0.05 }", "speed = 0");
+    scene(&[&parent, &CHILD.replace("radius = 0.5", "radius = 0")])
+}
+
+#[test]
+fn r42_systems_are_born_all_over_a_mesh_and_stand_upright_on_it() {
+    let cube = motes::mesh::builtin("cube")
+        .expect("it is built in")
+        .expect("it is right");
+    let corners = (0..cube.triangles().len()).flat_map(|face| cube.corners(face));
+    let half = 2.0 * f64::from(corners.flatten().fold(0.0, |a: f32, b| a.max(b.abs())));
+    let mut run = Run::new(&cube_family());
+    (0..15).for_each(|_| run.step());
+    let borne = run.borne();
+    let mut on_sides = [0.0; 6];
+    for (_, system, _) in &borne {
+        let (place, up) = (origin(system), up(system));
+        let side = (0..3)
+            .find(|i| up[*i].abs() > 0.5)
+            .expect("it is a unit vector");
+        assert!((up[side].abs() - 1.0).abs() < 1e-5, "{up:?}");
+        // On the face that its up points away from, and within it.
+        assert!((place[side] - half * up[side]).abs() < 1e-5, "{place:?}");
+        assert!(
+            place.iter().all(|part| part.abs() < half + 1e-5),
+            "{place:?}"
+        );
+        on_sides[2 * side + usize::from(up[side] > 0.0)] += 1.0;
+    }
+    let all = borne.len() as f64;
+    println!("{all} systems: {on_sides:?}");
+    assert_eq!(borne.len(), 15 * 60);
+    // Six standard deviations of a sixth of them.
+    for count in on_sides {
+        assert!(
+            (count - all / 6.0).abs() < 6.0 * (all * 5.0 / 36.0).sqrt(),
+            "{on_sides:?}"
+        );
+    }
+    // What a child bears leaves along its up.
+    for particle in particles(&cube_family(), 3) {
+        let place = particle.position.map(f64::from);
+        assert!(
+            place.iter().any(|part| part.abs() >= half - 1e-5),
+            "{place:?}"
+        );
+    }
+}
+
+#[test]
+fn systems_of_a_mesh_are_the_same_on_every_adapter() {
+    crate::twins::assert_twins(&cube_family(), 8);
 }

@@ -2,6 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use motes::backend::Backend;
 use motes::scene::Scene;
 
 use crate::common::statistics::assert_uniform;
@@ -167,6 +168,45 @@ fn r53_nearer_explosions_bear_more() {
     let (near, far) = (of(20.0), of(40.0));
     let ratio = near / far;
     assert!((ratio - 4.0).abs() < 0.25, "{near} and {far}");
+}
+
+#[test]
+fn r89_a_frames_work_follows_the_area_that_the_systems_have_in_the_picture() {
+    // What stages go over particle by particle, and pixels that get light, of the same wall of fire: from
+    // far away, at which all of it is as far, and in pictures of as many pixels.
+    let of = |distance: f32, pixels: u32| {
+        let mut scene = wall(
+            "",
+            "initial_mean_parts_per_area = 0.25\nbirth_rounding = \"nearest\"",
+        );
+        scene.capacity = Some(1_000_000);
+        scene.image.width = 16 * pixels;
+        scene.image.height = 9 * pixels;
+        scene.camera.position = [0.0, 0.0, 10.0 + distance];
+        scene.camera.target = [0.0, 0.0, 0.0];
+        let mut run = Run::new(&scene);
+        (0..40).for_each(|_| run.step());
+        let inputs = run.plan.inputs(39);
+        run.backend.draw(&inputs).expect("it draws");
+        let live = run.backend.read("counts").expect("it is read")[0];
+        let light = run.backend.read("light_low").expect("it is read");
+        let lit = light.chunks(3).filter(|pixel| **pixel != [0; 3]).count();
+        [run.counts().live, live, lit as u32].map(f64::from)
+    };
+    let [systems, near, near_pixels] = of(80.0, 80);
+    for (distance, pixels, share) in [(160.0, 80, 0.25), (320.0, 80, 1.0 / 16.0), (80.0, 40, 0.25)]
+    {
+        let [same_systems, live, lit] = of(distance, pixels);
+        println!(
+            "{distance} away, {pixels}: {live} live, {lit} pixels; {near} and {near_pixels} near"
+        );
+        assert_eq!(systems, same_systems);
+        assert!((live / near / share - 1.0).abs() < 0.1, "{live} of {near}");
+        assert!(
+            (lit / near_pixels / share - 1.0).abs() < 0.25,
+            "{lit} of {near_pixels}"
+        );
+    }
 }
 
 #[test]

@@ -7,7 +7,7 @@ use motes::scene::Scene;
 use crate::common::{self, compare_run, frames_of, on_cpu, on_each_adapter, on_gpu};
 use crate::support::{CHILD, PARENT, scene};
 
-fn assert_twins(scene: &Scene, frames: u32) {
+pub(crate) fn assert_twins(scene: &Scene, frames: u32) {
     // Workgroups that no page is a multiple of, too.
     for (page_bytes, workgroup_size) in [(64 << 10, 64), (1 << 20, 24)] {
         assert_twins_in(scene, frames, page_bytes, workgroup_size);

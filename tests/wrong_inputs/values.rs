@@ -52,6 +52,18 @@ fn wrong_values_are_answered_with_their_range() {
         ),
         size("{}", &["w.toml:21:8", "mean"]),
         size("99999999999999999999", &["64 bits", "w.toml:21:8"]),
+        longer(
+            "particle_shape = \"stroke\"\nblend = \"over\"\nlight = 1\n",
+            &["`system.sparks.light`", "throw none", "w.toml:24:9", "0"],
+        ),
+        longer(
+            "light = -1\n",
+            &[
+                "`system.sparks.light`",
+                "w.toml:22:9",
+                "from 0 to 1_000_000",
+            ],
+        ),
         spoiled(
             "seed = 7",
             "seed = -1",

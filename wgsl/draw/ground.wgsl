@@ -4,10 +4,11 @@
 // squared distance and the slant; pillars stand in its way. They are seen themselves before it
 // (draw/surface).
 // One invocation a pixel: the line of sight meets the plane, or not.
-// Reads: frame, grounds, pillars, lamps, flame_lights. Writes: ground_pixels (red, green, blue and
+// Reads: frame, grounds, pillars, lamps, flame_lights, cluster_lights. Writes: ground_pixels (red, green, blue and
 // what shows of what is behind, as bits).
 // Invariant: a pixel depends on the frame, the surfaces and the lights alone.
 
+#import motes::cluster::{fallen, way_to}
 #import motes::dispatch::linear_index
 #import motes::exact::{
     at_least_zero, bits_of, clamp_unit, dot3, f32_of_u32, inverse_square_root, less, reciprocal,
@@ -17,6 +18,8 @@
 #import motes::pillar::passed
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
+// Whether particles throw light.
+const CLUSTERS: bool = #{CLUSTERS};
 // Ways to the ground, in lengths of the way, at most.
 const FARTHEST_GROUND: f32 = 1e6f;
 
@@ -26,6 +29,7 @@ const FARTHEST_GROUND: f32 = 1e6f;
 @group(0) @binding(3) var<storage, read> lamps: array<Lamp>;
 @group(0) @binding(4) var<storage, read> flame_lights: array<FlameLight>;
 @group(0) @binding(5) var<storage, read_write> ground_pixels: array<vec4<u32>>;
+@group(0) @binding(6) var<storage, read> cluster_lights: array<FlameLight>;
 
 // The light of a point light of that colour a unit away and that squared extent.
 fn from_point(ground: Ground, spot: vec3<f32>, light: vec3<f32>, extent: f32, color: vec3<f32>) -> vec3<f32> {
@@ -36,6 +40,16 @@ fn from_point(ground: Ground, spot: vec3<f32>, light: vec3<f32>, extent: f32, co
         seen *= passed(pillars[at], spot, light);
     }
     return color * (seen * near * near);
+}
+
+// The light of particles.
+fn from_cluster(ground: Ground, spot: vec3<f32>, light: FlameLight) -> vec3<f32> {
+    let way = way_to(light, spot, ground.plane.xyz);
+    var falls = fallen(way, ground.plane.xyz);
+    for (var at = 0u; at < ground.counts.x; at += 1u) {
+        falls *= passed(pillars[at], spot, spot + way);
+    }
+    return bitcast<vec3<f32>>(light.color.xyz) * falls;
 }
 
 fn light_on(ground: Ground, spot: vec3<f32>) -> vec3<f32> {
@@ -51,6 +65,11 @@ fn light_on(ground: Ground, spot: vec3<f32>) -> vec3<f32> {
         let place = bitcast<vec4<f32>>(flame.place);
         let color = bitcast<vec3<f32>>(flame.color.xyz);
         light += from_point(ground, spot, place.xyz, place.w, color);
+    }
+    if CLUSTERS {
+        for (var at = 1u; at <= cluster_lights[0].place.x; at += 1u) {
+            light += from_cluster(ground, spot, cluster_lights[at]);
+        }
     }
     return light;
 }

@@ -4,24 +4,30 @@
 // of fire, between the particles behind its outline and those before it.
 // One invocation a pixel: the line of sight meets the ball or misses it; how much of a pixel the
 // ball covers is how far its centre is inside the outline, in pixels.
-// Reads: frame, planets, lamps. Writes: planet_pixels (red, green, blue and what shows of what is
+// Reads: frame, planets, lamps, cluster_lights. Writes: planet_pixels (red, green, blue and what shows of what is
 // behind, as bits).
-// Invariant: a pixel depends on the frame, the planet and the lamps alone.
+// Invariant: a pixel depends on the frame, the planet and the lights alone.
 
+#import motes::cluster::{fallen, way_to}
 #import motes::dispatch::linear_index
 #import motes::exact::{
     at_least_zero, bits_of, clamp_unit, dot3, f32_of_u32, inverse_square_root, less,
     normalize_exact, reciprocal, square_root,
 }
-#import motes::layout::{Frame, Lamp, Planet}
+#import motes::layout::{FlameLight, Frame, Lamp, Planet}
 #import motes::noise::noise
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
+// Whether particles throw light.
+const CLUSTERS: bool = #{CLUSTERS};
+// Those that are higher than a part of this above the horizon are seen in full.
+const HORIZON: f32 = 32.0f;
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read> planets: array<Planet>;
 @group(0) @binding(2) var<storage, read> lamps: array<Lamp>;
 @group(0) @binding(3) var<storage, read_write> planet_pixels: array<vec4<u32>>;
+@group(0) @binding(4) var<storage, read> cluster_lights: array<FlameLight>;
 
 // The way from the eye through a place in the picture, as far as depth 1.
 fn way_through(x: f32, y: f32) -> vec3<f32> {
@@ -64,6 +70,17 @@ fn light_on(planet: Planet, place: vec3<f32>, normal: vec3<f32>, up: vec3<f32>) 
         let falls = at_least_zero(dot3(normal, away) * near);
         let above = clamp_unit(8.0f * dot3(up, away) * near);
         light += lamp.color.xyz * (falls * above * lamp.place.w * near * near);
+    }
+    if CLUSTERS {
+        // They are counted from the world's origin.
+        let in_world = place + (planet.eye.xyz + planet.place.xyz);
+        for (var at = 1u; at <= cluster_lights[0].place.x; at += 1u) {
+            let cluster = cluster_lights[at];
+            let way = way_to(cluster, in_world, up);
+            let near = inverse_square_root(dot3(way, way));
+            let above = clamp_unit(HORIZON * at_least_zero(dot3(up, way)) * near);
+            light += bitcast<vec3<f32>>(cluster.color.xyz) * (fallen(way, normal) * above);
+        }
     }
     return light;
 }

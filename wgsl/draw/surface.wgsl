@@ -6,10 +6,11 @@
 // Pillars let some of the light of flames through to their own surface (wax), and cover a pixel as far as
 // their outline does. Triangles and pillars hide what is behind their samples.
 // One invocation a pixel. Reads: frame, surfaces, surface_corners, surface_light, lamps, flame_lights,
-// pillars. Reads and writes: surface_nearness, surface_faces (0 where nothing shows). Writes:
+// cluster_lights, pillars. Reads and writes: surface_nearness, surface_faces (0 where nothing shows). Writes:
 // surface_pixels (red, green, blue, and what shows of what is behind, as bits).
 // Invariant: a pixel depends on its samples, the frame and the lights alone.
 
+#import motes::cluster::{fallen, way_to}
 #import motes::dispatch::linear_index
 #import motes::exact::{
     at_least_zero, bits_of, clamp_unit, cross3, dot3, f32_of_u32, inverse_square_root, less,
@@ -24,6 +25,8 @@ const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 // Whether there is a planet, a ground or a pillar.
 const PLANET: bool = #{PLANET};
 const GROUND: bool = #{GROUND};
+// Whether particles throw light.
+const CLUSTERS: bool = #{CLUSTERS};
 // Whether a surface has grain.
 const GRAINS: bool = #{GRAINS};
 // A ground or a pillar that covers more of its pixel hides.
@@ -41,6 +44,7 @@ const NO_PILLAR: u32 = 0xffffffffu;
 @group(0) @binding(7) var<storage, read_write> surface_nearness: array<vec4<u32>>;
 @group(0) @binding(8) var<storage, read_write> surface_faces: array<vec4<u32>>;
 @group(0) @binding(9) var<storage, read_write> surface_pixels: array<vec4<u32>>;
+@group(0) @binding(10) var<storage, read> cluster_lights: array<FlameLight>;
 
 // The way from the eye through a place in the picture, as far as depth 1.
 fn way_through(right: f32, up: f32) -> vec3<f32> {
@@ -114,6 +118,21 @@ fn light_on(light: SurfaceLight, spot: Spot) -> vec3<f32> {
         let source = bitcast<vec4<f32>>(flame.place);
         let color = bitcast<vec3<f32>>(flame.color.xyz);
         sum += color * from_point(light, spot, source.xyz, source.w, spot.through.x);
+    }
+    if CLUSTERS {
+        for (var at = 1u; at <= cluster_lights[0].place.x; at += 1u) {
+            let cluster = cluster_lights[at];
+            let way = way_to(cluster, spot.place, spot.normal);
+            var falls = fallen(way, spot.normal);
+            if GROUND {
+                for (var pillar = 0u; pillar < light.kinds.z; pillar += 1u) {
+                    if pillar != spot.pillar {
+                        falls *= passed(pillars[pillar], spot.place, spot.place + way);
+                    }
+                }
+            }
+            sum += bitcast<vec3<f32>>(cluster.color.xyz) * falls;
+        }
     }
     return sum;
 }

@@ -47,7 +47,8 @@ const PARTICLE_SPHERE: u32 = 0u;
 const PARTICLE_RECTANGLE: u32 = 1u;
 const PARTICLE_STREAK: u32 = 2u;
 const PARTICLE_STROKE: u32 = 3u;
-// SystemRow.kinds.z: how light is spread along a streak.
+// SystemRow.kinds.z: how light is spread along a streak, in the lowest bit; the others are those of a float,
+// the factor of what particles throw on surfaces.
 const STREAK_CONSERVED: u32 = 0u;
 const STREAK_CONSTANT: u32 = 1u;
 // The same of a stroke: the most pieces that it is drawn of; above that, in 4,095ths, what its width
@@ -614,7 +615,7 @@ struct StrokeLight {
     kinds: vec4<u32>,
 }
 
-// A point light that stands for flames.
+// A point light that stands for flames, or for particles.
 struct FlameLight {
     // Where it is, and the square of its extent, as bits.
     place: vec4<u32>,
@@ -624,6 +625,9 @@ struct FlameLight {
 
 // Point lights of all flames, at most.
 const FLAME_LIGHTS: u32 = 64u;
+// Corners of cells along each side of the cube in which particles are gathered to point lights; all of them.
+const CLUSTERS_ACROSS: u32 = 8u;
+const CLUSTER_LIGHTS: u32 = 512u;
 // Steps of a whole weight.
 const LIGHT_WEIGHT_STEPS: f32 = 1073741824.0f;
 

@@ -14,6 +14,7 @@ const STREAM_COLOR: u32 = 2u;
 const STREAM_BIRTHS: u32 = 3u;
 const STREAM_RATES: u32 = 4u;
 const STREAM_MOMENT: u32 = 5u;
+const STREAM_CLUSTER: u32 = 6u;
 
 // The least size at birth: a particle always covers something.
 const LEAST_SIZE: f32 = 0.000001f;

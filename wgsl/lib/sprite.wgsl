@@ -65,7 +65,7 @@ fn sprite_of(
         look.color * light,
         vec4<f32>(look.color, 1.0f - look.transparency),
         features.rectangles && row.kinds.y == PARTICLE_RECTANGLE,
-        row.kinds.z != STREAK_CONSTANT,
+        (row.kinds.z & STREAK_CONSTANT) == 0u,
     );
 }
 

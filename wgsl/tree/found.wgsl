@@ -4,23 +4,25 @@
 // shape, within its ejection angle, with a speed and a lifetime; or (section 3) on a ring of a
 // sphere, anywhere around it, its up away from the sphere.
 // One invocation a slot that others bear, for each step of the tree.
-// Reads: frame, system_frames, rows, broods, system_offsets, free_slots, tree_counts.
+// Reads: frame, system_frames, rows, broods, system_offsets, free_slots, tree_counts, mesh_faces, mesh_choices.
 // Writes: nodes.
 // Invariant: everything is a hash of the parent's key, the frame and the index among its births.
 
-#import motes::emission::{Birthplace, axis_of, basis_of, ejected, in_shape, turned}
-#import motes::exact::{bits_of, f32_of_u32}
+#import motes::emission::{Birthplace, axis_of, basis_of, ejected, in_shape, on_triangle, turned}
+#import motes::exact::{bits_of, f32_of_u32, to_i32}
 #import motes::layout::{
-    BROOD_OUTWARD, Brood, Counts, Frame, NODE_LIVES, NO_SLOT, Node, SHAPE_RINGS, SystemFrame, SystemRow,
+    BROOD_OUTWARD, Brood, Counts, Frame, NODE_LIVES, NO_SLOT, Node, SHAPE_MESH, SHAPE_RINGS, SystemFrame, SystemRow,
 }
 #import motes::particle::{
     Identity, STREAM_MOTION, STREAM_PLACE, draw, lifetime_of, row_index,
 }
-#import motes::rng::{pcg4d, signed_float, unit_float}
+#import motes::rng::{index_below, pcg4d, signed_float, unit_float}
 #import motes::transcendental::{cos_turns, sin_turns}
 #import motes::tree::{Rows, STREAM_SYSTEM, composed}
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
+// Whether anything is born on meshes.
+const MESHES: bool = #{MESHES};
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read> system_frames: array<SystemFrame>;
@@ -30,6 +32,8 @@ const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 @group(0) @binding(5) var<storage, read> free_slots: array<u32>;
 @group(0) @binding(6) var<storage, read> tree_counts: Counts;
 @group(0) @binding(7) var<storage, read_write> nodes: array<Node>;
+@group(0) @binding(8) var<storage, read> mesh_faces: array<vec4<f32>>;
+@group(0) @binding(9) var<storage, read> mesh_choices: array<vec2<u32>>;
 
 // The slot whose births contain `birth`: the last that begins at or before.
 fn parent_of_birth(birth: u32) -> u32 {
@@ -54,6 +58,14 @@ fn on_ring(brood: Brood, frames: u32, place: vec4<u32>) -> Birthplace {
     let up = cos_turns(turns);
     let axis = vec3<f32>(across * cos_turns(around), across * sin_turns(around), up);
     return Birthplace(axis * brood.rings.x - vec3<f32>(0.0f, 0.0f, brood.rings.x), axis);
+}
+
+// Anywhere on the faces of a mesh, as particles are (motes::emission).
+fn on_mesh(row: SystemRow, place: vec4<u32>) -> Birthplace {
+    let drawn = u32(to_i32(row.shape.y)) + index_below(place.x, u32(to_i32(row.shape.z)));
+    let choice = mesh_choices[drawn];
+    let at = 3u * select(choice.y, drawn, place.w < choice.x);
+    return on_triangle(mesh_faces[at], mesh_faces[at + 1u], mesh_faces[at + 2u], place, row.shape.x);
 }
 
 fn bits4(v: vec4<f32>) -> vec4<u32> {
@@ -86,6 +98,9 @@ fn found(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let motion = draw(who, STREAM_MOTION);
 
     var born = in_shape(row, place);
+    if MESHES && row.kinds.x == SHAPE_MESH {
+        born = on_mesh(row, place);
+    }
     if row.kinds.x == SHAPE_RINGS {
         born = on_ring(brood, frame.frame - parent_birth_frame - brood.spans.x, place);
     }

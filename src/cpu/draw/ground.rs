@@ -3,6 +3,7 @@
 
 use glam::Vec3;
 
+use crate::cpu::cluster::{fallen, way_to};
 use crate::cpu::pillar::passed;
 use crate::exact::{
     at_least_zero, bits_of, clamp_unit, dot3, f32_of_u32, inverse_square_root, less, reciprocal,
@@ -24,6 +25,8 @@ pub struct Lit<'a> {
     pub inputs: &'a FrameInputs,
     /// The lights of flames.
     pub flames: &'a [FlameLight],
+    /// Those of particles.
+    pub clusters: &'a [FlameLight],
 }
 
 fn three(of: &[f32]) -> Vec3 {
@@ -47,6 +50,17 @@ fn from_point(lit: Lit<'_>, ground: &Ground, spot: Vec3, light: &Point) -> Vec3 
     light.color * (seen * near * near)
 }
 
+/// The light of particles.
+fn from_cluster(lit: Lit<'_>, ground: &Ground, spot: Vec3, light: &FlameLight) -> Vec3 {
+    let normal = three(&ground.plane);
+    let way = way_to(light, spot, normal);
+    let mut falls = fallen(way, normal);
+    for pillar in &lit.inputs.pillars {
+        falls *= passed(pillar, spot, spot + way);
+    }
+    three(&light.color.map(f32::from_bits)) * falls
+}
+
 fn light_on(lit: Lit<'_>, ground: &Ground, spot: Vec3) -> Vec3 {
     let straight = at_least_zero(dot3(three(&ground.plane), three(&ground.light_from)));
     let mut light = three(&ground.ambient) + three(&ground.light_color) * straight;
@@ -66,6 +80,9 @@ fn light_on(lit: Lit<'_>, ground: &Ground, spot: Vec3) -> Vec3 {
             color: three(&flame.color.map(f32::from_bits)),
         };
         light += from_point(lit, ground, spot, &point);
+    }
+    for cluster in lit.clusters {
+        light += from_cluster(lit, ground, spot, cluster);
     }
     light
 }

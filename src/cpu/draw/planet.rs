@@ -3,12 +3,19 @@
 
 use glam::{Vec3, Vec4};
 
+use crate::cpu::cluster::{fallen, way_to};
 use crate::exact::{
     at_least_zero, bits_of, clamp_unit, dot3, f32_of_u32, inverse_square_root, less,
-    normalize_exact, reciprocal, square_root,
+    normalize_exact, reciprocal, shared_constants, square_root,
 };
-use crate::layout::{Frame, Lamp, Planet};
+use crate::layout::{FlameLight, Frame, Planet};
 use crate::noise::noise;
+use crate::plan::FrameInputs;
+
+shared_constants! {
+    /// Lights of particles that are higher than a part of this above the horizon are seen in full.
+    const HORIZON: f32 = 32.0;
+}
 
 /// The way from the eye through a place in the picture, as far as depth 1.
 fn way_through(frame: &Frame, x: f32, y: f32) -> Vec3 {
@@ -43,24 +50,48 @@ fn ground_at(planet: &Planet, place: Vec3) -> Vec4 {
 }
 
 /// The light that falls on a place of the surface, from the centre, of that unit normal.
-fn light_on(planet: &Planet, lamps: &[Lamp], place: Vec3, normal: Vec3, up: Vec3) -> Vec3 {
+fn light_on(
+    inputs: &FrameInputs,
+    clusters: &[FlameLight],
+    place: Vec3,
+    normal: Vec3,
+    up: Vec3,
+) -> Vec3 {
+    let planet = &inputs.planets[0];
     let from = Vec3::from_slice(&planet.light_from);
     let straight = at_least_zero(dot3(normal, from));
     let day = clamp_unit(8.0 * dot3(up, from));
     let mut light = Vec3::from_slice(&planet.ambient)
         + Vec3::from_slice(&planet.light_color) * (straight * day);
-    for lamp in lamps {
+    for lamp in &inputs.lamps {
         let away = Vec3::from_slice(&lamp.place) - place;
         let near = inverse_square_root(dot3(away, away));
         let falls = at_least_zero(dot3(normal, away) * near);
         let above = clamp_unit(8.0 * dot3(up, away) * near);
         light += Vec3::from_slice(&lamp.color) * (falls * above * lamp.place[3] * near * near);
     }
+    // They are counted from the world's origin.
+    let eye = Vec3::from_slice(&planet.eye);
+    let in_world = place + (eye + Vec3::from_slice(&planet.place));
+    for cluster in clusters {
+        // Most are below the horizon, and give nothing.
+        let [x, y, z, _] = cluster.place.map(f32::from_bits);
+        if !less(0.0, dot3(up, Vec3::new(x, y, z) - in_world)) {
+            continue;
+        }
+        let way = way_to(cluster, in_world, up);
+        let near = inverse_square_root(dot3(way, way));
+        let above = clamp_unit(HORIZON * at_least_zero(dot3(up, way)) * near);
+        let [red, green, blue, _] = cluster.color.map(f32::from_bits);
+        light += Vec3::new(red, green, blue) * (fallen(way, normal) * above);
+    }
     light
 }
 
 /// One pixel: red, green and blue as bits, and what shows of what is behind.
-pub fn planet(frame: &Frame, planet: &Planet, lamps: &[Lamp], pixel: u32) -> [u32; 4] {
+/// `clusters` are the lights of particles.
+pub fn planet(inputs: &FrameInputs, clusters: &[FlameLight], pixel: u32) -> [u32; 4] {
+    let (frame, planet) = (&inputs.frame, &inputs.planets[0]);
     let x = f32_of_u32(pixel % frame.width) + 0.5;
     let y = f32_of_u32(pixel / frame.width) + 0.5;
     let way = way_through(frame, x, y);
@@ -87,7 +118,7 @@ pub fn planet(frame: &Frame, planet: &Planet, lamps: &[Lamp], pixel: u32) -> [u3
     let slope = rise - up * dot3(rise, up);
     let normal = normalize_exact(up - slope * planet.color[3]);
     let albedo = Vec3::from_slice(&planet.color) * at_least_zero(1.0 + planet.ground[1] * ground.w);
-    let light = albedo * light_on(planet, lamps, place, normal, up) * covered;
+    let light = albedo * light_on(inputs, clusters, place, normal, up) * covered;
     [
         bits_of(light.x),
         bits_of(light.y),

@@ -3,6 +3,7 @@
 
 use glam::{Vec2, Vec3, Vec4};
 
+use crate::cpu::cluster::{fallen, way_to};
 use crate::cpu::grain::grain_at;
 use crate::cpu::pillar::{Meeting, meeting, passed};
 use crate::cpu::raster::{SAMPLES_DOWN, SAMPLES_RIGHT, normal_of, world_of};
@@ -27,6 +28,8 @@ pub struct Lit<'a> {
     pub inputs: &'a FrameInputs,
     /// The lights of flames.
     pub flames: &'a [FlameLight],
+    /// Those of particles.
+    pub clusters: &'a [FlameLight],
     /// Corners of all stored triangles.
     pub corners: &'a [[u32; 4]],
 }
@@ -105,6 +108,16 @@ fn light_on(lit: Lit<'_>, light: &SurfaceLight, spot: &Spot) -> Vec3 {
         let [x, y, z, extent] = flame.place.map(f32::from_bits);
         let color = three(&flame.color.map(f32::from_bits));
         sum += color * from_point(lit, spot, Vec3::new(x, y, z), extent, spot.through.x);
+    }
+    for cluster in lit.clusters {
+        let way = way_to(cluster, spot.place, spot.normal);
+        let mut falls = fallen(way, spot.normal);
+        for (at, pillar) in lit.inputs.pillars.iter().enumerate() {
+            if Some(at) != spot.pillar {
+                falls *= passed(pillar, spot.place, spot.place + way);
+            }
+        }
+        sum += three(&cluster.color.map(f32::from_bits)) * falls;
     }
     sum
 }

@@ -22,8 +22,9 @@ pub struct Stored<'a> {
     pub meshes: &'a MeshTables,
 }
 
+/// Where something is born in the generation shape of the row.
 #[inline]
-fn birthplace(row: &SystemRow, stored: Stored, place: UVec4) -> Birthplace {
+pub(crate) fn birthplace(row: &SystemRow, stored: Stored, place: UVec4) -> Birthplace {
     if row.kinds[0] == SHAPE_CURVE {
         let along = unit_float(place.x) * row.shape[2];
         let before = to_i32(along) as u32;

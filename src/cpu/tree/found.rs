@@ -4,8 +4,9 @@ use glam::{UVec4, Vec3};
 
 use super::settle::Newborn;
 use super::{STREAM_SYSTEM, composed};
-use crate::cpu::emission::{Birthplace, axis_of, basis_of, ejected, in_shape, turned};
+use crate::cpu::emission::{Birthplace, axis_of, basis_of, ejected, turned};
 use crate::cpu::particle::{Identity, STREAM_MOTION, STREAM_PLACE, draw, lifetime_of, row_index};
+use crate::cpu::particles::emit::{Stored, birthplace};
 use crate::exact::{bits_of, f32_of_u32};
 use crate::layout::{
     BROOD_OUTWARD, Brood, NO_SLOT, NODE_LIVES, Node, SHAPE_RINGS, SystemFrame, SystemRow,
@@ -34,6 +35,7 @@ fn on_ring(brood: &Brood, frames: u32, place: UVec4) -> Birthplace {
 /// The newborn system; `borne` and `nodes` are of those from the first borne slot on.
 pub(super) fn found(
     inputs: &FrameInputs,
+    stored: Stored<'_>,
     borne: &[SystemFrame],
     rows: &[SystemRow],
     nodes: &[Node],
@@ -62,7 +64,7 @@ pub(super) fn found(
         let since = frame.wrapping_sub(birth_frame).wrapping_sub(brood.spans[0]);
         on_ring(brood, since, place)
     } else {
-        in_shape(row, place)
+        birthplace(row, stored, place)
     };
     let speed = row.speed_and_lifetime[0] + signed_float(motion.z) * row.speed_and_lifetime[1];
     let way = ejected(row, axis_of(row, &born), motion) * speed;

@@ -9,6 +9,7 @@ mod settle;
 
 use glam::{UVec4, Vec4};
 
+use crate::cpu::particles::emit::Stored;
 use crate::exact::{f32_of_u32, shared_constants, snap};
 use crate::layout::{Counts, Node, Pose, SystemFrame, SystemRow};
 use crate::plan::{FrameInputs, Plan};
@@ -104,7 +105,12 @@ impl Tree {
     }
 
     /// Births, deaths and places of systems in the frame of `inputs`; `rows` is the ring of all.
-    pub(super) fn step(&mut self, inputs: &FrameInputs, rows: &mut [SystemRow]) {
+    pub(super) fn step(
+        &mut self,
+        inputs: &FrameInputs,
+        rows: &mut [SystemRow],
+        stored: Stored<'_>,
+    ) {
         let own = inputs.poses.len();
         self.poses[..own].copy_from_slice(&inputs.poses);
         for level in 0..self.levels {
@@ -117,7 +123,8 @@ impl Tree {
                 level,
             );
             for born in newborn {
-                self.nodes[born.at] = found::found(inputs, &self.systems, rows, &self.nodes, &born);
+                self.nodes[born.at] =
+                    found::found(inputs, stored, &self.systems, rows, &self.nodes, &born);
             }
             for at in 0..self.nodes.len() {
                 pose::pose(self, at, inputs, rows, level);

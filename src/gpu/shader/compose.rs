@@ -81,6 +81,7 @@ pub(super) const SWITCHES: &[&str] = &[
     "MARKS",
     "STROKES",
     "SHADES",
+    "CLUSTERS",
     "SMOKES",
     "GRAINS",
     "TRAILS",

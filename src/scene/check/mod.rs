@@ -282,6 +282,9 @@ pub(super) fn stroke(system: &System, table: &Reader<'_>) -> Result<(), SceneErr
     } else if system.drag != 0.0 {
         let what = "is that of strokes, which are the parabolas of particles that feel no air";
         ("drag", what, "0")
+    } else if system.light != 0.0 {
+        let what = "is that of strokes, which throw none";
+        ("light", what, "0")
     } else {
         return Ok(());
     };

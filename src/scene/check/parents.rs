@@ -66,11 +66,8 @@ type Refuse<'a> = &'a dyn Fn(&str, String, &str) -> Result<(), SceneError>;
 
 /// What a system that bears systems cannot have.
 fn bearing(system: &System, refuse: Refuse<'_>) -> Result<(), SceneError> {
-    if matches!(
-        system.generation_shape,
-        GenerationShape::Attractor { .. } | GenerationShape::Mesh { .. }
-    ) {
-        let what = "bears systems, which are not born on attractors and meshes".into();
+    if matches!(system.generation_shape, GenerationShape::Attractor { .. }) {
+        let what = "bears systems, which are not born on attractors".into();
         return refuse("generation_shape", what, "another shape");
     }
     if system.drag != 0.0 {

@@ -93,6 +93,7 @@ fn system(index: usize, node: &Node, files: &Files) -> Result<System, SceneError
         intensity: [Intensity::Brightest, Intensity::Luminance][table.must("intensity", choice)?],
         extinctions: table.must("extinction", |spot| list(spot, |_, spot| extinction(spot)))?,
         light_distance: table.may("light_distance", Quantity::read)?,
+        light: table.must("light", Quantity::read)?,
         // Last: where there are none, they may have slipped into a table below, which says so.
         births: match is_rings && !check::has_births(&table) {
             true => Births::none(BirthUnit::Frame),

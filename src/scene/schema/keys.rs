@@ -138,7 +138,7 @@ pub const CAMERA: &[Field] = &[
 pub const SYSTEM: &[Field] = &[
     required("name", Kind::Name { reserved: &[] }, "\"jet\"", "", "unique; a part of every particle's identity", ""),
     optional("parent", Kind::Name { reserved: &[] }, "\"rings\"", "", "the system that bears systems of this kind instead of particles: each is born, placed, moved and ended as a particle of it, and this one is there for them alone", "Reeves 2.6"),
-    default("child_up", Kind::Choice(&["parent", "outward"]), "\"parent\"", "", "of a system with a parent: whether its up is the parent's, or away from the parent's generation shape where it is born", "Reeves 3"),
+    default("child_up", Kind::Choice(&["parent", "outward"]), "\"parent\"", "", "of a system with a parent: whether its up is the parent's, or away from the parent's generation shape where it is born, as it always is on rings and meshes", "Reeves 3"),
     default("inherit", Kind::Table(INHERIT), "{}", "", "of a system with a parent: how much those of its kind differ", "Reeves 2.6"),
     keyed(default("position", PLACE, "[0, 0, 0]", "world units", "the system's origin", "Reeves 2.2")),
     keyed(default("rotation_degrees", numbers(2, -36_000.0, 36_000.0), "[0, 0]", "degrees", "turns about x, then about y; local +z is the system's up", "Reeves 2.2")),
@@ -192,6 +192,7 @@ pub const SYSTEM: &[Field] = &[
     default("intensity", Kind::Choice(&["brightest", "luminance"]), "\"brightest\"", "", "what intensity is: 1 - transparency times the brightest channel, or times the luminance", "Reeves 2.4"),
     default("extinction", Kind::List { variants: EXTINCTIONS, max: 16 }, "[]", "", "where particles may not be, one `[[system.extinction]]` each", "Reeves 2.4"),
     keyed(optional("light_distance", numbers(1, 1e-6, 1e6), "10", "world units", "where light is as the colour says; it falls with the squared distance from the eye, or not at all if left out", "Reeves 2.5")),
+    keyed(default("light", numbers(1, 0.0, 1e6), "0", "", "factor of the light that its particles throw on the planet, the ground and surfaces, gathered to at most 512 point lights: 1 is what they send to the picture", "Reeves 3")),
 ];
 
 /// Keys of `[system.inherit]` (Reeves 1983, 2.6 and section 3).

@@ -92,6 +92,7 @@ fn system_numbers<'a>(system: &'a mut System, key: &str) -> Option<&'a mut [f32]
         "drag" => one(&mut system.drag),
         "intensity_threshold" => one(system.intensity_threshold.as_mut()?),
         "light_distance" => one(system.light_distance.as_mut()?),
+        "light" => one(&mut system.light),
         _ => {
             return shape_numbers(
                 &mut system.generation_shape,
