@@ -193,13 +193,8 @@ impl Shown {
             ..config
         };
         surface.configure(&device, &config);
-        let source = Source {
-            scene: wish.scene.clone(),
-            sets: wish.sets.clone(),
-            loader: wish.loader,
-            is_timed: device.features().contains(wgpu::Features::TIMESTAMP_QUERY),
-            device: ours,
-        };
+        let is_timed = device.features().contains(wgpu::Features::TIMESTAMP_QUERY);
+        let source = Source::new((&wish.scene, &wish.sets, wish.loader), (ours, is_timed));
         let session = Session::new(source).map_err(WindowError::Scene)?;
         let ctx = egui::Context::default();
         let events = egui_winit::State::new(
