@@ -11,7 +11,9 @@ use crate::gpu::{GpuDevice, GpuOptions};
 use crate::output::write_whole;
 use crate::plan::Plan;
 use crate::recording::{Change, Recording};
-use crate::scene::{Corners, Dimensions, Flock, Goal, Ignition, Knob, KnobValue, Loader, Scene};
+use crate::scene::{
+    Corners, Dimensions, Draft, Flock, Goal, Ignition, Knob, KnobValue, Loader, Scene,
+};
 use crate::simulation::{AdapterChoice, Options, Pick, Ray, Simulation, SimulationError, Snapshot};
 
 /// Room for so many times the particles that the scene can have as it is.
@@ -31,7 +33,6 @@ const SETTLING_FRAMES: u32 = 20;
 const SPARE_SHARE: f32 = 0.3;
 
 /// What to play with, and on what.
-#[derive(Clone, Debug)]
 pub struct Source {
     /// Name of a built-in scene, or path.
     pub scene: String,
@@ -45,6 +46,8 @@ pub struct Source {
     pub is_timed: bool,
     /// How much of it is drawn, and what that changes of it, as `--set` has it.
     detail: (Detail, Vec<String>),
+    /// Its file and its meshes as they were read last.
+    draft: Option<Draft>,
 }
 
 /// What went wrong, for the window: a few lines.
@@ -91,6 +94,7 @@ impl Session {
     /// # Errors
     /// The scene, or the machine.
     pub fn new(mut source: Source) -> Result<Self, Told> {
+        source.read()?;
         source.make_room()?;
         let scene = source.load(&[])?;
         let knobs = source.knobs()?;
@@ -148,6 +152,11 @@ impl Session {
     /// The simulation, for who draws or counts.
     pub fn simulation(&mut self) -> &mut Simulation {
         &mut self.simulation
+    }
+
+    /// Every file that the scene was read from last: its own, meshes and their buffers.
+    pub fn files(&self) -> Vec<PathBuf> {
+        self.source.files()
     }
 
     /// The last frame that has been stepped.
@@ -479,7 +488,7 @@ impl Session {
         self.restart(0)
     }
 
-    /// Reads the scene's file again, and begins anew at the same frame. What is wrong with it leaves
+    /// Reads the scene's file and its meshes again, and begins anew at the same frame. What is wrong with it leaves
     /// all as it was.
     ///
     /// # Errors
@@ -491,13 +500,22 @@ impl Session {
             sets,
             ..
         } = &self.source;
-        let recording = match self.recording.turns_with(*loader, scene, sets) {
+        let turns = self.recording.turns_with(*loader, scene, sets);
+        let recording = match turns {
             Ok(_) => self.recording.clone(),
             // The keys that were turned are not what they were.
             Err(_) => Recording::default(),
         };
-        self.source.draw_as(self.detail())?;
-        self.begin_again(recording, self.frame())
+        let before = (self.source.draft.take(), self.source.detail.clone());
+        let begun = self
+            .source
+            .read()
+            .and_then(|()| self.source.draw_as(self.detail()))
+            .and_then(|()| self.begin_again(recording, self.frame()));
+        if begun.is_err() {
+            (self.source.draft, self.source.detail) = before;
+        }
+        begun
     }
 
     /// Begins the scene as its file is now, with what the recording says, and goes to a frame; an
@@ -594,6 +612,7 @@ impl Source {
             device,
             is_timed,
             detail: (Detail::LEVELS[0], Vec::new()),
+            draft: None,
         }
     }
 
@@ -615,15 +634,36 @@ impl Source {
 
     fn load(&self, sets: &[String]) -> Result<Scene, Told> {
         let (_, coarser) = &self.detail;
-        let sets = [&self.sets, sets, coarser].concat();
-        let scene = self.loader.load_with(&self.scene, &sets);
+        self.load_as(&[&self.sets, sets, coarser].concat())
+    }
+
+    fn load_as(&self, sets: &[String]) -> Result<Scene, Told> {
+        let scene = match &self.draft {
+            Some(draft) => draft.scene_with(sets),
+            None => self.loader.load_with(&self.scene, sets),
+        };
         scene.map_err(|error| error.to_string())
+    }
+
+    /// Reads its file and its meshes, once for many changes.
+    fn read(&mut self) -> Result<(), Told> {
+        let draft = self.loader.draft(&self.scene, &[]);
+        let draft = draft.map_err(|error| error.to_string())?;
+        let scene = draft.scene_with(&self.sets);
+        scene.map_err(|error| error.to_string())?;
+        self.draft = Some(draft);
+        Ok(())
+    }
+
+    /// Every file that it was read from.
+    fn files(&self) -> Vec<PathBuf> {
+        let files = self.draft.as_ref().map(Draft::files);
+        files.into_iter().flatten().map(|(_, path)| path).collect()
     }
 
     /// Draws the scene, as its file is now, with that much detail.
     fn draw_as(&mut self, detail: Detail) -> Result<(), Told> {
-        let scene = self.loader.load_with(&self.scene, &self.sets);
-        let scene = scene.map_err(|error| error.to_string())?;
+        let scene = self.load_as(&self.sets)?;
         self.detail = (detail, detail.sets(&scene));
         Ok(())
     }

@@ -211,3 +211,44 @@ fn boids_come_to_a_click_and_flee_from_the_other_button() {
         Some(0.0)
     );
 }
+
+#[test]
+fn a_mesh_that_is_written_again_is_read_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mesh = folder.path().join("sail.obj");
+    let sail = |high: u32| format!("v 0 0 0\nv 1 0 0\nv 0 {high} 0\nf 1 2 3\n");
+    std::fs::write(&mesh, sail(1)).expect("it is written");
+    let scene = folder.path().join("scene.toml");
+    let text = CUBE.replace("mesh = \"cube\"", "mesh = \"sail.obj\"");
+    std::fs::write(&scene, text).expect("it is written");
+    let mut session = Session::new(source(&scene, &[])).expect("it begins");
+    let names = |files: &[std::path::PathBuf]| -> Vec<String> {
+        let name = |path: &std::path::PathBuf| {
+            path.file_name().map(|it| it.to_string_lossy().into_owned())
+        };
+        files.iter().filter_map(name).collect()
+    };
+    assert_eq!(names(&session.files()), ["scene.toml", "sail.obj"]);
+    let area = |session: &Session| {
+        let spread = session.scene().fires[0]
+            .spread
+            .as_ref()
+            .expect("it spreads");
+        spread.surface.area()
+    };
+    assert_eq!(area(&session), 0.125);
+    std::fs::write(&mesh, sail(2)).expect("it is written");
+    // Turning a knob reads nothing anew.
+    session
+        .turn("fire.oak.spread.time_scale", "0.3")
+        .expect("it turns");
+    assert_eq!(area(&session), 0.125);
+    session.reload().expect("it is right");
+    assert_eq!(area(&session), 0.25);
+    std::fs::write(&mesh, "v 0 0 0\n").expect("it is written");
+    session.reload().expect_err("it has no triangle");
+    assert_eq!(area(&session), 0.25);
+    session
+        .turn("fire.oak.spread.time_scale", "0.1")
+        .expect("it turns");
+}
