@@ -232,7 +232,11 @@ impl Recording {
                 );
                 return Err(refused(change, message));
             }
-            plan::check_turn(&unchanged, &turn).map_err(|error| {
+            let before = turns.iter().rev().find(|known| known.frame < turn.frame);
+            let before = before.map_or(&unchanged, |known| &known.scene);
+            let checked = plan::check_turn(&unchanged, &turn)
+                .and_then(|()| plan::check_ignitions(before, (turn.frame, &turn.scene)));
+            checked.map_err(|error| {
                 let place = place(change);
                 refused(
                     change,

@@ -93,14 +93,9 @@ fn play(
     let (_, device, queue) =
         view::device_of(&instance, &args.adapter, |_| true).map_err(machine)?;
     let ours = GpuDevice::from_wgpu(&device, &queue).map_err(|e| machine(e.to_string()))?;
-    let session = Session::new(Source {
-        scene: args.scene.clone(),
-        sets: sets.to_vec(),
-        loader,
-        is_timed: device.features().contains(wgpu::Features::TIMESTAMP_QUERY),
-        device: ours,
-    })
-    .map_err(|told| CliError::from(WindowError::Scene(told)))?;
+    let is_timed = device.features().contains(wgpu::Features::TIMESTAMP_QUERY);
+    let session = Session::new(Source::new((&args.scene, sets, loader), (ours, is_timed)))
+        .map_err(|told| CliError::from(WindowError::Scene(told)))?;
     let mut app = App::new(session);
     view::play(&mut app, &script, (device, queue), size_px)?;
     let changes = app.session.recording().changes.len();

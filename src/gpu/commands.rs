@@ -823,7 +823,7 @@ impl GpuBackend {
                     plan.point_capacity,
                     plan.dropped_capacity,
                     plan.dropped_places,
-                    plan.spreads.piece_count(),
+                    plan.ignitions.piece_count(),
                 ];
                 push(0, 0, &room, Size::Direct(1, 1))
             }
@@ -854,15 +854,15 @@ impl GpuBackend {
                 push(0, 0, &told, direct(count))
             }
             Work::Ignited => {
-                let told = [plan.spreads.piece_count()];
-                push(0, 0, &told, direct(plan.spreads.most_ignited()))
+                let told = [plan.ignitions.piece_count()];
+                push(0, 0, &told, direct(plan.ignited_count))
             }
             Work::FlameSteps => {
-                let told = [plan.flame_count, plan.spreads.piece_count()];
+                let told = [plan.flame_count, plan.ignitions.piece_count()];
                 push(0, 0, &told, direct(plan.flame_count * (FLAME_STEPS - 1)))
             }
             Work::Pieces => {
-                let count = plan.spreads.piece_count();
+                let count = plan.ignitions.piece_count();
                 push(0, 0, &[count], direct(count))
             }
             Work::Flames => (0..).zip(self.memory.flame_paging.pages()).try_for_each(

@@ -108,7 +108,7 @@ impl GpuBackend {
             "control_points" => u64::from(self.spread_counts()?.total) * POINT_WORDS,
             // Those that were there before the frame's insertions, as of the last.
             "moved_points" => u64::from(self.moved_count()?) * POINT_WORDS,
-            "catches" => u64::from(self.spreads.piece_count()) * 4,
+            "catches" => u64::from(self.piece_count) * 4,
             "ring_spans" => u64::from(self.ring_count) * 2,
             "dropped_flames" => u64::from(self.dropped_places) * DROPPED_WORDS,
             "spread_counts" => size_of::<SpreadCounts>() as u64 / 4,

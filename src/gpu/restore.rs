@@ -40,7 +40,7 @@ impl GpuBackend {
             let (spans, rest) = rest.split_at(2 * self.ring_count as usize);
             let flames = self.dropped_places as usize * (size_of::<DroppedFlame>() / 4);
             let (flames, rest) = rest.split_at(flames);
-            let (catches, points) = rest.split_at(4 * self.spreads.piece_count() as usize);
+            let (catches, points) = rest.split_at(4 * self.piece_count as usize);
             for (name, words) in [
                 ("spread_counts", counts),
                 ("ring_spans", spans),

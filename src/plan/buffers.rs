@@ -669,7 +669,7 @@ impl Buffer {
             Count::SpreadFaces(each) => plan.spreads.faces.len() as u32 * each,
             Count::SpreadFeatures => plan.spreads.features.len() as u32,
             Count::Rings => plan.ring_count,
-            Count::Pieces(each) => plan.spreads.piece_count() * each,
+            Count::Pieces(each) => plan.ignitions.piece_count() * each,
             Count::DroppedPlaces => plan.dropped_places,
             Count::DroppedFlames(each) => plan.dropped_capacity.div_ceil(each),
             Count::Crowd if plan.blocks => plan.crowd_lists() + plan.point_capacity,

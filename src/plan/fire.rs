@@ -23,6 +23,9 @@ const NOISE_TAG: u32 = 0x666c_6d65;
 /// Steps from the root to the tip.
 const STEPS_UP: f32 = (FLAME_STEPS - 1) as f32;
 
+/// How wide a line along a flame is, as a share of the flame's width.
+const LINE_WIDTH: f32 = 0.12;
+
 /// The coolest that glows.
 const LEAST_KELVIN: f32 = 1000.0;
 
@@ -43,10 +46,16 @@ pub(super) fn fires_of(now: &Scene, earlier: &Scene, meshes: &MeshTables, frame:
             listed.len() as u32,
             fire.listed.len() as u32,
         ];
-        let of_fire: Vec<AgeLook> = (0..FLAME_STEPS).map(|age| look_at(fire, age)).collect();
+        let mut of_fire: Vec<AgeLook> = (0..FLAME_STEPS).map(|age| look_at(fire, age)).collect();
         let lights = lights::ages_of(fire, first_light);
         first_light += lights[1];
         let light = lights::light_of(fire, &of_fire, meshes);
+        if fire.form == FlameForm::Line {
+            // Surfaces are lit as by the flames that lines stand for.
+            for look in &mut of_fire {
+                look.scale[0] = snap(LINE_WIDTH);
+            }
+        }
         fires.push(FireFrame {
             members,
             lights,
@@ -85,7 +94,9 @@ fn fire_frame(
     // Disturbances rise: the places looked at sink through the noise (3.2.3).
     let sunk = (f64::from(fire.sampling) * f64::from(frame)) % PERIOD;
     let offset = up * -(sunk as f32);
-    let is_strip = fire.form == FlameForm::Strip;
+    let is_strip = fire.form != FlameForm::Particles;
+    // A line has no texture.
+    let texture = f32::from(u8::from(fire.form != FlameForm::Line));
     let flag = |is_set: bool, flag: u32| if is_set { flag } else { 0 };
     let flags = flag(fire.normalised, layout::FIRE_NORMALISED) | flag(is_strip, layout::FIRE_STRIP);
     let burning = fire.burning;
@@ -121,7 +132,7 @@ fn fire_frame(
         .map(snap),
         look: [
             fire.brightness,
-            fire.color_noise * STEPS_UP,
+            texture * fire.color_noise * STEPS_UP,
             fire.color_noise_scale,
             0.0,
         ]
@@ -152,7 +163,7 @@ fn fire_frame(
         strip: [
             0.5 * fire.strip_cells[0],
             fire.strip_cells[1] / STEPS_UP,
-            fire.strip_contrast,
+            texture * fire.strip_contrast,
             fire.matrix_noise,
         ]
         .map(snap),

@@ -137,7 +137,7 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
         lamps_of(&now).0
     };
     let (fires, listed_flames, age_looks) = fires_of(&now, &earlier, &plan.meshes, number);
-    let spread_pieces = plan.spreads.pieces(&fires, number);
+    let spread_pieces = plan.ignitions.pieces(&fires, number);
     let light_roots = light_roots(&now, &fires, &plan.spreads);
     let flame_lights = fires.iter().map(|fire| fire.lights[1]).sum();
     let (grounds, pillars) = ground_of(&now, flame_lights);
@@ -179,7 +179,7 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
         age_looks,
         spreads: spread_frames(&now),
         spread_pieces,
-        due_ignitions: plan.spreads.due(number),
+        due_ignitions: plan.ignitions.due(number),
         hatches: number == plan.first_frame,
     }
 }

@@ -12,6 +12,7 @@ mod curves;
 mod fire;
 mod flock;
 mod ground;
+mod ignitions;
 mod inputs;
 mod lights;
 mod meshes;
@@ -32,6 +33,8 @@ mod wind;
 
 pub use buffers::{BUFFERS, Buffer, BufferRole, Count, buffer};
 pub use fire::DetailPass;
+pub use ignitions::Ignitions;
+pub(crate) use ignitions::check_ignitions;
 pub use inputs::FrameInputs;
 pub use meshes::MeshTables;
 pub use population::Population;
@@ -148,8 +151,12 @@ pub struct Plan {
     pub spreads: Arc<SpreadTables>,
     /// Fires that spread.
     pub spread_count: u32,
-    /// Rings that begin at any time.
+    /// Where and when they begin to burn.
+    pub ignitions: Ignitions,
+    /// Rings that begin at any time, at most.
     pub ring_count: u32,
+    /// Points of rings that begin in one frame, at most.
+    pub ignited_count: u32,
     /// Whether some fire is kept from burning anything twice, at any time.
     pub blocks: bool,
     /// Control points at most, of all fires together.
@@ -197,6 +204,16 @@ impl Plan {
     /// As [`Plan::new`]; also when a turn adds, removes or renames systems, or changes the image,
     /// the seed or the capacity, which hold for a whole run.
     pub fn with_turns(scene: &Scene, turns: &[Turn], frame_end: u32) -> Result<Self, PlanError> {
+        Self::planned(scene, turns, frame_end, None)
+    }
+
+    /// As [`Plan::with_turns`]; with the tables of what fires spread over that are known, if they serve.
+    fn planned(
+        scene: &Scene,
+        turns: &[Turn],
+        frame_end: u32,
+        known: Option<&Arc<SpreadTables>>,
+    ) -> Result<Self, PlanError> {
         let mut scenes: Vec<&Scene> = vec![scene];
         for turn in turns {
             check_turn(scene, turn)?;
@@ -223,6 +240,9 @@ impl Plan {
             )
         }));
         variants.sort_by_key(|(from, _)| *from);
+        for [(_, before), (from, scene)] in variants.array_windows() {
+            check_ignitions(before, (from.cast_unsigned(), scene))?;
+        }
         let changes_rows = |scene: &&Scene| scene.tracks.iter().any(Track::rules_newborns);
         let row_count = if turns.is_empty() && !scenes.iter().any(changes_rows) {
             1
@@ -236,7 +256,12 @@ impl Plan {
         let most = |of: &dyn Fn(&&Scene) -> u32| scenes.iter().map(of).max().unwrap_or(0);
         let most_of_kinds = tree::most_of_kinds(&scenes, lifetime_bound, frame_end);
         let borne = tree::capacity(scene, &most_of_kinds)?;
-        let spreads = SpreadTables::new(&scenes)?;
+        let spreads = match known.filter(|known| known.serve(&scenes)) {
+            Some(known) => Arc::clone(known),
+            None => Arc::new(SpreadTables::new(&scenes)?),
+        };
+        let (_, last) = variants.last().expect("there is the scene itself");
+        let ignitions = Ignitions::new(last, &spreads)?;
         let surfaces = SurfaceTables::new(&scenes)?;
         let mut plan = Self {
             capacity: 1,
@@ -273,12 +298,14 @@ impl Plan {
             meshes: Arc::new(MeshTables::new(&scenes)?),
             solids: Arc::new(SolidTables::new(&scenes)),
             spread_count: spread::spreads_of(scene).count() as u32,
-            ring_count: spreads.ignitions.len() as u32 + spreads.piece_count(),
+            ring_count: ignitions.ring_count(),
+            ignited_count: ignitions.most_points(),
+            ignitions,
             blocks: scenes.iter().any(|scene| {
                 spread::spreads_of(scene).any(|(_, spread)| spread.prevents_double_burning)
             }),
             point_capacity: point_capacity(scene)?,
-            spreads: Arc::new(spreads),
+            spreads,
             surface_count: scene.surfaces.len() as u32,
             surface_face_count: surface::face_count(scene)?,
             surfaces: Arc::new(surfaces),
@@ -335,7 +362,7 @@ impl Plan {
     }
 
     /// The scene that holds at a frame.
-    fn scene_at(&self, frame: i32) -> &Scene {
+    pub(crate) fn scene_at(&self, frame: i32) -> &Scene {
         &self.variants[self.variant_at(frame)].1
     }
 
@@ -398,7 +425,7 @@ impl Plan {
             Stage::Shade => self.shade_cells > 0,
             Stage::Front | Stage::Insert => self.spread_count > 0,
             Stage::Block => self.blocks,
-            Stage::Catch => self.spreads.piece_count() > 0,
+            Stage::Catch => self.ignitions.piece_count() > 0,
             Stage::Strips => self.uses.strips,
             Stage::Kindle | Stage::Trace | Stage::FlameDiscs | Stage::Glow => self.fire_count > 0,
             _ => true,
@@ -534,7 +561,7 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
             .map(|flock| (flock.name.clone(), flock.count, flock.trail_frames))
             .collect()
     };
-    type Burns = Option<(u64, [u32; 4], Vec<crate::scene::Ignition>)>;
+    type Burns = Option<(u64, [u32; 4])>;
     let fires = |scene: &Scene| -> Vec<(String, usize, u32, Burns)> {
         let fires = scene.fires.iter();
         fires
@@ -546,7 +573,7 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
                     let marks = marks.max(puffs);
                     let caught = spread.catch_points.unwrap_or(0);
                     let most = [spread.max_points, spread.max_flames, marks, caught];
-                    (digest, most, spread.ignitions.clone())
+                    (digest, most)
                 });
                 (fire.name.clone(), fire.listed.len(), fire.count(), spread)
             })
@@ -599,7 +626,7 @@ pub(crate) fn check_turn(scene: &Scene, turn: &Turn) -> Result<(), PlanError> {
                 "the change at frame {} alters what holds for a whole run",
                 turn.frame
             ),
-            help: "the list of systems, their names, parents and `blend`, which are of strokes, of how many pieces and whether with shadows, whether clouds throw shadows and in how many cells, whether there is a planet, whether a ground or pillars, the number of surfaces, their meshes and `crease_degrees`, the flocks' and fires' names and counts, `trail_frames`, what fires spread over from where and their `max_points`, the \
+            help: "the list of systems, their names, parents and `blend`, which are of strokes, of how many pieces and whether with shadows, whether clouds throw shadows and in how many cells, whether there is a planet, whether a ground or pillars, the number of surfaces, their meshes and `crease_degrees`, the flocks' and fires' names and counts, `trail_frames`, what fires spread over and their `max_points`, the \
                    number of layers, the image size, the seed and the capacity stay as the scene has \
                    them"
                 .into(), key: None });

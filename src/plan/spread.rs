@@ -1,34 +1,21 @@
 //! What fires spread over, and how fast: stored faces with their edges, and the part of a frame.
 
-use glam::{UVec4, Vec3};
+use glam::Vec3;
 use rayon::prelude::*;
 
 use super::PlanError;
 use super::fire::noise_key;
-use super::system::name_key;
 use crate::exact::{normalize_exact, snap};
 use crate::layout::{
-    self, FLAME_LIGHTS, FireFrame, GRAIN_NONE, GRAIN_RINGS, GRAIN_STRIPES, SPREAD_BLOCKS,
-    SPREAD_CARRIES, SPREAD_FLAT, SPREAD_LITERAL, SPREAD_MIDPOINT, SPREAD_NORMAL, SPREAD_SPILL,
-    SPREAD_STAIN, SpreadEdge, SpreadFace, SpreadFeature, SpreadFrame, SpreadPiece,
+    self, FLAME_LIGHTS, GRAIN_NONE, GRAIN_RINGS, GRAIN_STRIPES, SPREAD_BLOCKS, SPREAD_CARRIES,
+    SPREAD_FLAT, SPREAD_LITERAL, SPREAD_MIDPOINT, SPREAD_NORMAL, SPREAD_SPILL, SPREAD_STAIN,
+    SpreadEdge, SpreadFace, SpreadFeature, SpreadFrame,
 };
 use crate::mesh::surface::{FeatureNear, HalfEdge, NO_EDGE, SurfaceFace};
-use crate::rng::pcg4d;
 use crate::scene::{
     Curvature, FireSpread, FrontHeading, Grain, GrainPattern, Insertion, Scene, SpreadLaw,
 };
 use crate::transcendental::{cos_turns, sin_turns};
-
-/// Marks hashes that make rings' keys.
-const RING_TAG: u32 = 0x7269_6e67;
-
-/// Marks hashes that make keys of rings that flames begin.
-const CATCH_TAG: u32 = 0x6361_7463;
-
-/// Pieces that flames may light at most, and faces of all of them: each step of a flame is held against
-/// those that are near, and drivers end long loops.
-const MOST_PIECES: usize = 256;
-const MOST_CATCHING_FACES: u32 = 50_000;
 
 /// The angle of exposed air that steps are taken to have at most, radians: that of a cube's corner.
 const MOST_AIR: f32 = 2.0 * std::f32::consts::PI;
@@ -43,8 +30,7 @@ const FACES_AT_A_TIME: usize = 256;
 /// Edges near faces at most: what such a binding holds of them.
 const MOST_FEATURES: usize = (128 << 20) / size_of::<SpreadFeature>();
 
-/// Every face that a fire spreads over, and every ring that begins. Where there are none, one face
-/// that is nobody's.
+/// Every face that a fire spreads over. Where there are none, one face that is nobody's.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SpreadTables {
     /// Spread by spread.
@@ -53,12 +39,6 @@ pub struct SpreadTables {
     pub edges: Vec<SpreadEdge>,
     /// Face by face.
     pub features: Vec<SpreadFeature>,
-    /// Every ignition with its frame, in the order of frames, then of fires; `order` is that of its
-    /// frame.
-    pub ignitions: Vec<(u32, layout::Ignition)>,
-    /// Pieces that flames may light, with the slot of the fire of each and the frame from which on it
-    /// burns without their doing; poses are a frame's.
-    pieces: Vec<(usize, u32, SpreadPiece)>,
     /// Places far from each other on each spread's surface, in its fire's space.
     light_places: Vec<Vec<[f32; 3]>>,
     /// Digest of the surface, how far edges are looked for, and the first face, of each spread.
@@ -69,57 +49,27 @@ impl SpreadTables {
     /// The tables of all fires that spread, in any of these scenes: those of a run differ in numbers
     /// alone.
     pub(super) fn new(scenes: &[&Scene]) -> Result<Self, PlanError> {
+        Self::reaching(scenes, |_| 0.0)
+    }
+
+    /// As [`SpreadTables::new`], with edges that are so far from a face of a spread, at least.
+    pub(super) fn reaching(
+        scenes: &[&Scene],
+        least: impl Fn(&FireSpread) -> f32,
+    ) -> Result<Self, PlanError> {
         let mut tables = Self::default();
         let Some(first) = scenes.first() else {
             return Ok(tables);
         };
-        let reaches = |slot: usize| {
-            let of = |scene: &&Scene| {
-                let greatest = scene.greatest();
-                spreads_of(&greatest)
-                    .nth(slot)
-                    .map_or(0.0, |(_, spread)| spread.curvature_distance)
-            };
-            scenes.iter().map(of).fold(0.0, f32::max)
-        };
-        let mut due = Vec::new();
         for (slot, (at, spread)) in spreads_of(first).enumerate() {
-            let reach = match spread.curvature {
-                Curvature::Ignored => 0.0,
-                _ => reaches(slot),
-            };
             let name = &first.fires[at].name;
-            let first_face = tables.add(spread, reach).map_err(|error| {
-                let at_fault = error.key.clone().unwrap_or_default();
-                error.of_key(format!("fire.{name}.spread.{at_fault}"))
-            })?;
-            let fire_key = name_key(first.seed, &first.fires[at].name, RING_TAG);
-            for (ring, ignition) in (0..).zip(&spread.ignitions) {
-                let (face, place) = spread.surface.nearest(ignition.position.map(f64::from));
-                let share = 1.0 / ignition.points as f32;
-                let [x, y] = place.map(|x| x as f32);
-                let key = pcg4d(UVec4::new(fire_key, ring, 0, RING_TAG)).x;
-                let ignition_of = layout::Ignition {
-                    place: [x, y, share, 0.0].map(snap),
-                    kinds: [first_face + face, ignition.points, slot as u32, key],
-                    order: [0; 4],
-                };
-                due.push((ignition.first_frame, ignition_of));
-            }
+            tables
+                .add(spread, reach_of(scenes, slot).max(least(spread)))
+                .map_err(|error| {
+                    let at_fault = error.key.clone().unwrap_or_default();
+                    error.of_key(format!("fire.{name}.spread.{at_fault}"))
+                })?;
         }
-        tables.pieces = pieces_of(first, &tables, &due)?;
-        due.sort_by_key(|(frame, _)| *frame);
-        let mut ring = 0;
-        for same in due.chunk_by_mut(|a, b| a.0 == b.0) {
-            let all = same.iter().map(|(_, one)| one.kinds[1]).sum();
-            let mut before = 0;
-            for (_, one) in same {
-                one.order = [before, ring, all, 0];
-                before += one.kinds[1];
-                ring += 1;
-            }
-        }
-        tables.ignitions = due;
         if tables.faces.is_empty() {
             tables.faces = vec![SpreadFace::default()];
             tables.edges = vec![SpreadEdge::default(); 3];
@@ -130,62 +80,28 @@ impl SpreadTables {
         Ok(tables)
     }
 
-    /// Whether a run with these tables can go on with the others.
-    pub(super) fn cover(&self, other: &Self) -> bool {
-        let is_here = |(own, other): (&(u64, f32, u32), &(u64, f32, u32))| {
-            (own.0, own.2) == (other.0, other.2) && own.1 >= other.1
-        };
-        self.ignitions == other.ignitions
-            && self.pieces == other.pieces
-            && self.stored.len() == other.stored.len()
-            && self.stored.iter().zip(&other.stored).all(is_here)
+    /// Whether a run with these tables can go on as these scenes say.
+    pub(super) fn serve(&self, scenes: &[&Scene]) -> bool {
+        scenes
+            .iter()
+            .all(|scene| spreads_of(scene).count() == self.stored.len())
+            && self
+                .stored
+                .iter()
+                .enumerate()
+                .all(|(slot, (digest, reach, _))| {
+                    let has = |scene: &&Scene| {
+                        let mut own = spreads_of(scene);
+                        own.nth(slot)
+                            .is_some_and(|(_, spread)| spread.surface.digest() == *digest)
+                    };
+                    *reach >= reach_of(scenes, slot) && scenes.iter().all(has)
+                })
     }
 
-    /// The rings that begin in a frame; one without points where there are none.
-    pub(super) fn due(&self, frame: i32) -> Vec<layout::Ignition> {
-        let is_due = |(at, _): &&(u32, layout::Ignition)| i64::from(*at) == i64::from(frame);
-        let due = self.ignitions.iter().filter(is_due);
-        let mut due: Vec<layout::Ignition> = due.map(|(_, one)| *one).collect();
-        if due.is_empty() && !self.ignitions.is_empty() {
-            due.push(layout::Ignition::default());
-        }
-        due
-    }
-
-    /// Pieces that flames may light.
-    pub(crate) fn piece_count(&self) -> u32 {
-        self.pieces.len() as u32
-    }
-
-    /// First face and number of faces of each of them.
-    pub(crate) fn piece_faces(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        let faces = self.pieces.iter().map(|(_, _, piece)| piece.faces);
-        faces.map(|[first, count, ..]| [first, count])
-    }
-
-    /// The same in a frame, where the fires are these.
-    pub(super) fn pieces(&self, fires: &[FireFrame], frame: i32) -> Vec<SpreadPiece> {
-        let of = |(fire, burns_from, piece): &(usize, u32, SpreadPiece)| {
-            let fire = &fires[*fire];
-            let mut piece = SpreadPiece {
-                world_from_fire_x: fire.world_from_fire_x,
-                world_from_fire_y: fire.world_from_fire_y,
-                world_from_fire_z: fire.world_from_fire_z,
-                ..*piece
-            };
-            if i64::from(frame) >= i64::from(*burns_from) {
-                piece.faces[1] = 0;
-            }
-            piece
-        };
-        self.pieces.iter().map(of).collect()
-    }
-
-    /// The most points that begin in one frame.
-    pub(crate) fn most_ignited(&self) -> u32 {
-        let all = self.ignitions.iter().map(|(_, one)| one.order[2]);
-        let of_pieces = self.pieces.iter().map(|(_, _, piece)| piece.ring[0]);
-        all.max().unwrap_or(0) + of_pieces.sum::<u32>()
+    /// First face of each spread.
+    pub(super) fn first_faces(&self) -> impl Iterator<Item = u32> + '_ {
+        self.stored.iter().map(|(.., first)| *first)
     }
 
     /// Places far from each other on each spread's surface, in its fire's space.
@@ -193,7 +109,7 @@ impl SpreadTables {
         self.light_places.iter()
     }
 
-    fn add(&mut self, spread: &FireSpread, reach: f32) -> Result<u32, PlanError> {
+    fn add(&mut self, spread: &FireSpread, reach: f32) -> Result<(), PlanError> {
         let surface = &spread.surface;
         let first = self.faces.len() as u32;
         let stored = (surface.digest(), reach, first);
@@ -238,8 +154,23 @@ impl SpreadTables {
             let corner = surface.faces()[at / 3].corners[at % 3];
             self.edges.push(edge_of(half, corner, 3 * first));
         }
-        Ok(first)
+        Ok(())
     }
+}
+
+/// How far from a face edges count, at most, on the surface of one of these scenes' spreads.
+fn reach_of(scenes: &[&Scene], slot: usize) -> f32 {
+    let of = |scene: &&Scene| {
+        let greatest = scene.greatest();
+        let spread = spreads_of(&greatest)
+            .nth(slot)
+            .map(|(_, spread)| match spread.curvature {
+                Curvature::Ignored => 0.0,
+                _ => spread.curvature_distance,
+            });
+        spread.unwrap_or(0.0)
+    };
+    scenes.iter().map(of).fold(0.0, f32::max)
 }
 
 fn feature_of(near: &FeatureNear) -> SpreadFeature {
@@ -250,57 +181,6 @@ fn feature_of(near: &FeatureNear) -> SpreadFeature {
         line: [x, y, along_x, along_y].map(|x| snap(x as f32)),
         bend: [near.dihedral as f32, (1.0 / square) as f32, 0.0, 0.0].map(snap),
     }
-}
-
-/// The pieces that flames may light, of all fires that spread so.
-fn pieces_of(
-    scene: &Scene,
-    tables: &SpreadTables,
-    due: &[(u32, layout::Ignition)],
-) -> Result<Vec<(usize, u32, SpreadPiece)>, PlanError> {
-    let mut pieces = Vec::new();
-    let mut looked_at = 0;
-    for (slot, (fire, spread)) in (0..).zip(spreads_of(scene)) {
-        let Some(points) = spread.catch_points else {
-            continue;
-        };
-        let (.., first_face) = tables.stored[slot as usize];
-        let key = name_key(scene.seed, &scene.fires[fire].name, CATCH_TAG);
-        for (nth, faces) in (0..).zip(spread.surface.pieces()) {
-            let (first, count) = (first_face + faces.start, faces.len() as u32);
-            looked_at += count;
-            let within =
-                |ignition: &layout::Ignition| (first..first + count).contains(&ignition.kinds[0]);
-            let begins = due.iter().filter(|(_, ignition)| within(ignition));
-            let ring = due.len() + pieces.len();
-            let piece = SpreadPiece {
-                ball: spread.surface.ball_around(faces).map(|x| snap(x as f32)),
-                faces: [first, count, slot, ring as u32],
-                ring: [
-                    points,
-                    pcg4d(UVec4::new(key, nth, 0, CATCH_TAG)).x,
-                    (1.0 / points as f32).to_bits(),
-                    0,
-                ],
-                ..SpreadPiece::default()
-            };
-            let burns_from = begins.map(|(frame, _)| *frame).min();
-            pieces.push((fire, burns_from.unwrap_or(u32::MAX), piece));
-        }
-    }
-    if pieces.len() > MOST_PIECES || looked_at > MOST_CATCHING_FACES {
-        return Err(PlanError {
-            message: format!(
-                "flames may light {} pieces of {looked_at} faces in all",
-                pieces.len()
-            ),
-            help: format!(
-                "at most {MOST_PIECES} pieces of {MOST_CATCHING_FACES} faces, or no `catch_points`"
-            ),
-            key: None,
-        });
-    }
-    Ok(pieces)
 }
 
 fn face_of(face: &SurfaceFace, features: [u32; 4]) -> SpreadFace {

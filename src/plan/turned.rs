@@ -2,14 +2,20 @@
 
 use std::sync::Arc;
 
-use super::{Plan, PlanError, Turn, Uses};
-use crate::scene::Scene;
+use super::{Plan, PlanError, SpreadTables, Turn, Uses};
+use crate::scene::{FireSpread, Scene};
 
 /// Least parameter rows a system of a plan that may be turned.
 const LEAST_ROWS: u32 = 256;
 
 /// Most parameter rows a system: birth frames are told apart modulo this.
 const MOST_ROWS: u32 = 1 << 16;
+
+/// Ignitions of a fire at most.
+const MOST_IGNITIONS: u32 = 256;
+
+/// Points of rings that turns may let begin in one frame, besides those that are known.
+const IGNITED_ROOM: u32 = 4096;
 
 impl Plan {
     /// Makes room for turns that are not known yet, up to twice the lifetimes that are. To be done
@@ -40,6 +46,17 @@ impl Plan {
             ..Uses::all()
         };
         self.blocks = self.spread_count > 0;
+        if self.spread_count > 0 {
+            // The thesis' slider of d_t goes to the length of an edge (Table 3.1). Where that is too much,
+            // it may grow no further.
+            let scenes: Vec<&Scene> = self.variants.iter().map(|(_, scene)| scene).collect();
+            let edge = |spread: &FireSpread| spread.surface.mean_edge_length() as f32;
+            if let Ok(tables) = SpreadTables::reaching(&scenes, edge) {
+                self.spreads = Arc::new(tables);
+            }
+            self.ring_count = self.ignitions.piece_count() + self.spread_count * MOST_IGNITIONS;
+            self.ignited_count = self.ignited_count.saturating_add(IGNITED_ROOM);
+        }
         let rows = (self.lifetime_bound.saturating_add(1)).saturating_mul(2);
         let rows = rows.clamp(LEAST_ROWS, MOST_ROWS).next_power_of_two();
         self.row_count = self.row_count.max(rows);
@@ -63,7 +80,7 @@ impl Plan {
             .collect();
         let frame = turn.frame;
         turns.push(turn);
-        let mut plan = Self::with_turns(scene, &turns, frame_end)?;
+        let mut plan = Self::planned(scene, &turns, frame_end, Some(&self.spreads))?;
         self.check_room(&plan, frame)?;
         plan.capacity = self.capacity;
         plan.relation_count = self.relation_count;
@@ -75,9 +92,10 @@ impl Plan {
         plan.first_frame = self.first_frame;
         plan.meshes = Arc::clone(&self.meshes);
         plan.solids = Arc::clone(&self.solids);
-        plan.spreads = Arc::clone(&self.spreads);
         plan.surfaces = Arc::clone(&self.surfaces);
         plan.blocks = self.blocks;
+        plan.ring_count = self.ring_count;
+        plan.ignited_count = self.ignited_count;
         Ok(plan)
     }
 
@@ -135,10 +153,16 @@ impl Plan {
                 begin_anew,
             );
         }
-        if !self.spreads.cover(&plan.spreads) {
+        if !Arc::ptr_eq(&self.spreads, &plan.spreads) {
             return refuse(
                 "lets edges count farther away than the run was begun for".into(),
                 begin_anew,
+            );
+        }
+        if plan.ring_count > self.ring_count || plan.ignited_count > self.ignited_count {
+            return refuse(
+                "lights more places, or with more points at once, than the run has room for".into(),
+                "begin the run as one that may be edited",
             );
         }
         if !self.solids.cover(&plan.solids) {

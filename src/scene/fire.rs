@@ -92,6 +92,8 @@ pub enum FlameForm {
     Particles,
     /// A strip through them, textured by a slice through noise.
     Strip,
+    /// A line through them: a narrow strip with no texture, quick to draw (4.7).
+    Line,
 }
 
 /// The light of a fire's flames on surfaces (Perry 1994, 3.2.4).

@@ -231,7 +231,7 @@ fn spreads_fit(plan: &Plan, inputs: &FrameInputs) -> bool {
     inputs.spreads.len() == plan.spread_count as usize
         && (plan.spread_count == 0 || !due.is_empty())
         && due.len() <= plan.ring_count as usize
-        && all <= u64::from(plan.spreads.most_ignited())
+        && all <= u64::from(plan.ignited_count)
         && due.iter().all(&mut is_right)
         && inputs.spreads.iter().all(|spread| {
             let blocks = spread.kinds[1] & SPREAD_BLOCKS != 0;

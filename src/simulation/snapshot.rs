@@ -194,7 +194,7 @@ fn front_fits(plan: &Plan, front: &[u32]) -> bool {
     };
     let rings = plan.ring_count as usize;
     let flames = plan.dropped_places as usize * DROPPED_WORDS;
-    let catches = 4 * plan.spreads.piece_count() as usize;
+    let catches = 4 * plan.ignitions.piece_count() as usize;
     if rest.len() < 2 * rings + flames + catches {
         return false;
     }
@@ -221,7 +221,7 @@ fn front_fits(plan: &Plan, front: &[u32]) -> bool {
     let has_fire = |flame: &[u32; DROPPED_WORDS]| flame[3] < plan.fire_count;
     odd.is_empty()
         && flames.iter().all(has_fire)
-        && catches.iter().zip(plan.spreads.piece_faces()).all(is_on)
+        && catches.iter().zip(plan.ignitions.piece_faces()).all(is_on)
         && total as usize == points.len()
         && total <= plan.point_capacity
         && (0..).zip(points).all(is_in_place)

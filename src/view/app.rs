@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use egui::{Color32, RichText, Ui};
 
+use super::detail::Detail;
 use super::knobs::{Turned, knob};
 use super::orbit::Orbit;
 use super::session::{Session, Told};
@@ -197,6 +198,9 @@ impl App {
                 self.is_stale = true;
             }
         });
+        if let Some(hint) = self.session.touch_hint() {
+            ui.label(RichText::new(hint).weak());
+        }
         if let Some((text, is_error)) = &self.message {
             let color = if *is_error {
                 Color32::LIGHT_RED
@@ -208,11 +212,37 @@ impl App {
         ui.add_space(4.0);
     }
 
+    /// How much is drawn: by hand, or as much as keeps up with so many frames a second.
+    fn detail(&mut self, ui: &mut Ui) {
+        let mut wanted = self.session.detail();
+        ui.add_enabled_ui(self.session.can_be_coarse(), |ui| {
+            let shown = egui::ComboBox::from_label("detail").selected_text(wanted.name());
+            shown.show_ui(ui, |ui| {
+                for level in Detail::LEVELS {
+                    ui.selectable_value(&mut wanted, level, level.name());
+                }
+            });
+            let mut keeps_up = self.session.least_rate.is_some();
+            let mut rate = self.session.least_rate.unwrap_or(20.0);
+            ui.horizontal(|ui| {
+                ui.checkbox(&mut keeps_up, "less, to keep up with");
+                let slot = egui::DragValue::new(&mut rate).range(1.0..=120.0);
+                ui.add(slot.suffix(" frames a second"));
+            });
+            self.session.least_rate = keeps_up.then_some(rate);
+        });
+        if wanted != self.session.detail() {
+            let outcome = self.session.set_detail(wanted);
+            self.did(outcome, |()| None);
+        }
+    }
+
     fn side(&mut self, ui: &mut Ui) {
         ui.heading(self.session.scene().title.clone());
         ui.label(RichText::new(&self.adapter).weak());
         ui.label(&self.counts);
         self.plot(ui);
+        self.detail(ui);
         ui.horizontal(|ui| {
             if ui.button("Undo").on_hover_text("ctrl-z").clicked() {
                 self.undo();
@@ -319,7 +349,16 @@ impl App {
         let scale = (room.x / width).min(room.y / height).max(0.01);
         let size = egui::vec2(width, height) * scale;
         let shown = egui::Image::new((picture, size)).sense(egui::Sense::click_and_drag());
-        let response = ui.centered_and_justified(|ui| ui.add(shown)).inner;
+        let area = egui::Rect::from_center_size(ui.available_rect_before_wrap().center(), size);
+        let response = ui.put(area, shown);
+        let is_away = response.secondary_clicked();
+        if let Some(at) = response.interact_pointer_pos()
+            && (response.clicked() || is_away)
+        {
+            let at = (at - area.min) / scale;
+            let outcome = self.session.touch([at.x, at.y], is_away);
+            self.did(outcome, |done| done);
+        }
         let before = self.session.orbit;
         let moved = response.drag_delta() / size.y;
         let aside = response.dragged_by(egui::PointerButton::Middle)

@@ -6,6 +6,7 @@
 //! replays bit for bit.
 
 mod app;
+mod detail;
 mod error;
 mod knobs;
 mod orbit;
@@ -15,6 +16,7 @@ mod stage;
 mod window;
 
 pub use app::App;
+pub use detail::Detail;
 pub use error::WindowError;
 pub use orbit::Orbit;
 pub use script::{Script, ScriptError, play};

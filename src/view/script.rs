@@ -7,11 +7,12 @@
 //! ```text
 //! 0 turn system.jet.drag=0.1    a knob, as --set has it
 //! 5 move 700 300                the pointer, in points from the window's corner
-//! 5 press                       the pointer's button, and its release
+//! 5 press                       the pointer's button, and its release; `press right` for the other one
 //! 6 move 800 300
 //! 6 release
 //! 9 wheel 2                     notches away from oneself
 //! 9 key Space
+//! 12 detail 2                   how much is drawn: 0 all, 3 the least
 //! 20 undo
 //! 30 shot window.png            the window after this pass
 //! 40 save mine.toml             the scene, and what was done beside it
@@ -22,6 +23,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use super::app::App;
+use super::detail::Detail;
 use super::error::WindowError;
 use super::session::Told;
 use super::stage::Stage;
@@ -32,10 +34,13 @@ use crate::output::{Rgba8Image, write_png};
 enum Action {
     Turn(String, String),
     Move(f32, f32),
-    Press,
-    Release,
+    Button {
+        button: egui::PointerButton,
+        pressed: bool,
+    },
     Wheel(f32),
     Key(egui::Key),
+    Detail(Detail),
     Undo,
     Shot(PathBuf),
     Save(PathBuf),
@@ -59,8 +64,8 @@ impl std::fmt::Display for ScriptError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(
             f,
-            "error: {}\n  = help: a line is `PASS ACTION`: turn PATH=VALUE, move X Y, press, release, \
-             wheel NOTCHES, key NAME, undo, shot FILE.png, save FILE.toml or end; passes in order; `#` \
+            "error: {}\n  = help: a line is `PASS ACTION`: turn PATH=VALUE, move X Y, press [right], release [right], \
+             wheel NOTCHES, key NAME, detail 0..3, undo, shot FILE.png, save FILE.toml or end; passes in order; `#` \
              begins a comment",
             self.0
         )
@@ -125,11 +130,22 @@ fn action(text: &str) -> Option<Action> {
         }
         "wheel" => Some(Action::Wheel(number(rest)?)),
         "key" => egui::Key::from_name(rest).map(Action::Key),
+        "detail" => {
+            let level: usize = rest.parse().ok()?;
+            Detail::LEVELS.get(level).copied().map(Action::Detail)
+        }
         "shot" => file(".png").map(Action::Shot),
         "save" => file(".toml").map(Action::Save),
+        "press" | "release" => {
+            let button = match rest {
+                "" => egui::PointerButton::Primary,
+                "right" => egui::PointerButton::Secondary,
+                _ => return None,
+            };
+            let pressed = word == "press";
+            Some(Action::Button { button, pressed })
+        }
         _ if !rest.is_empty() => None,
-        "press" => Some(Action::Press),
-        "release" => Some(Action::Release),
         "undo" => Some(Action::Undo),
         "end" => Some(Action::End),
         _ => None,
@@ -175,15 +191,16 @@ pub fn play(
             let scene = |told: Told| WindowError::Scene(script.placed(*line, &told));
             match action {
                 Action::Turn(path, value) => app.session.turn(path, value).map_err(scene)?,
+                Action::Detail(detail) => app.session.set_detail(*detail).map_err(scene)?,
                 Action::Undo => drop(app.session.undo().map_err(scene)?),
                 Action::Move(x, y) => {
                     pointer = egui::pos2(*x, *y);
                     events.push(egui::Event::PointerMoved(pointer));
                 }
-                Action::Press | Action::Release => events.push(egui::Event::PointerButton {
+                Action::Button { button, pressed } => events.push(egui::Event::PointerButton {
                     pos: pointer,
-                    button: egui::PointerButton::Primary,
-                    pressed: *action == Action::Press,
+                    button: *button,
+                    pressed: *pressed,
                     modifiers: egui::Modifiers::NONE,
                 }),
                 Action::Wheel(notches) => events.push(egui::Event::MouseWheel {

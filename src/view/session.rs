@@ -4,14 +4,17 @@
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use super::detail::{Detail, hangs_on_pixels};
 use super::error::WindowError;
 use super::orbit::Orbit;
 use crate::gpu::{GpuDevice, GpuOptions};
 use crate::output::write_whole;
 use crate::plan::Plan;
 use crate::recording::{Change, Recording};
-use crate::scene::{Knob, KnobValue, Loader, Scene};
-use crate::simulation::{AdapterChoice, Options, Simulation, SimulationError};
+use crate::scene::{
+    Corners, Dimensions, Draft, Flock, Goal, Ignition, Knob, KnobValue, Loader, Scene,
+};
+use crate::simulation::{AdapterChoice, Options, Pick, Ray, Simulation, SimulationError, Snapshot};
 
 /// Room for so many times the particles that the scene can have as it is.
 const ROOM: u32 = 4;
@@ -20,8 +23,16 @@ const LEAST_ROOM: u32 = 100_000;
 /// Room at most, unless the scene has more particles as it is.
 const MOST_ROOM: u32 = 8_000_000;
 
+/// How much boids accelerate, as a share of their greatest speed, to where somebody calls them.
+const CALLED_LIMIT: f32 = 0.05;
+
+/// Frames that a detail is tried for before another is chosen.
+const SETTLING_FRAMES: u32 = 20;
+
+/// Frames that take less than this share of the time that there is leave room for more detail.
+const SPARE_SHARE: f32 = 0.3;
+
 /// What to play with, and on what.
-#[derive(Clone, Debug)]
 pub struct Source {
     /// Name of a built-in scene, or path.
     pub scene: String,
@@ -33,6 +44,10 @@ pub struct Source {
     pub device: GpuDevice,
     /// Whether the device was opened with a clock.
     pub is_timed: bool,
+    /// How much of it is drawn, and what that changes of it, as `--set` has it.
+    detail: (Detail, Vec<String>),
+    /// Its file and its meshes as they were read last.
+    draft: Option<Draft>,
 }
 
 /// What went wrong, for the window: a few lines.
@@ -60,6 +75,11 @@ pub struct Session {
     pub times: Vec<(&'static str, f64)>,
     /// Frame times, the last 240, milliseconds.
     pub history: Vec<f32>,
+    /// Frames a second that detail is given up for, if it is slower; `None` for all detail that was asked
+    /// for.
+    pub least_rate: Option<f32>,
+    /// Frames since the detail was chosen.
+    settled: u32,
 }
 
 /// How a knob stood before it was turned.
@@ -74,6 +94,7 @@ impl Session {
     /// # Errors
     /// The scene, or the machine.
     pub fn new(mut source: Source) -> Result<Self, Told> {
+        source.read()?;
         source.make_room()?;
         let scene = source.load(&[])?;
         let knobs = source.knobs()?;
@@ -86,6 +107,8 @@ impl Session {
             owed: Duration::ZERO,
             times: Vec::new(),
             history: Vec::new(),
+            least_rate: None,
+            settled: 0,
             undone: Vec::new(),
             source,
             simulation,
@@ -131,6 +154,11 @@ impl Session {
         &mut self.simulation
     }
 
+    /// Every file that the scene was read from last: its own, meshes and their buffers.
+    pub fn files(&self) -> Vec<PathBuf> {
+        self.source.files()
+    }
+
     /// The last frame that has been stepped.
     pub fn frame(&self) -> u32 {
         self.simulation.frame().unwrap_or(0)
@@ -164,7 +192,82 @@ impl Session {
         let begun = Instant::now();
         self.simulation.step().map_err(told)?;
         self.take_times(begun);
+        self.keep_up()
+    }
+
+    /// How much is drawn.
+    pub fn detail(&self) -> Detail {
+        self.source.detail.0
+    }
+
+    /// Whether less can be drawn without a change of what happens: not where births go by the area that
+    /// systems are seen on.
+    pub fn can_be_coarse(&self) -> bool {
+        !hangs_on_pixels(&self.scene)
+    }
+
+    /// Goes on with that much detail.
+    ///
+    /// # Errors
+    /// What happens in the scene hangs on its pixels, or the machine; all is then as it was.
+    pub fn set_detail(&mut self, detail: Detail) -> Result<(), Told> {
+        if detail == self.detail() {
+            return Ok(());
+        }
+        if detail != Detail::LEVELS[0] && !self.can_be_coarse() {
+            return Err("births go by the area that systems are seen on: all is drawn".into());
+        }
+        let snapshot = self.simulation.snapshot().map_err(told)?;
+        let before = self.source.detail.clone();
+        let begun = self
+            .source
+            .draw_as(detail)
+            .and_then(|()| self.resume(snapshot.as_ref()));
+        if begun.is_err() {
+            self.source.detail = before;
+        }
+        self.settled = 0;
+        begun
+    }
+
+    /// Goes on from the snapshot with what the source says now.
+    fn resume(&mut self, snapshot: Option<&Snapshot>) -> Result<(), Told> {
+        let sets = self.recording.changes.iter();
+        let sets: Vec<String> = sets.map(|change| change.set.clone()).collect();
+        let (begun, scene) = (self.source.load(&[])?, self.source.load(&sets)?);
+        let mut simulation = self.source.prepare(&begun, &self.recording)?;
+        match snapshot {
+            Some(snapshot) => simulation.restore(snapshot).map_err(told)?,
+            None => simulation.seek(0).map_err(told)?,
+        }
+        (self.simulation, self.scene) = (simulation, scene);
         Ok(())
+    }
+
+    /// Gives up detail if frames take too long, and takes it back when there is time enough.
+    fn keep_up(&mut self) -> Result<(), Told> {
+        self.settled += 1;
+        let Some(rate) = self.least_rate.filter(|_| self.can_be_coarse()) else {
+            return Ok(());
+        };
+        if self.settled < SETTLING_FRAMES {
+            return Ok(());
+        }
+        let recent = self.history.iter().rev().take(SETTLING_FRAMES as usize / 2);
+        let mut recent: Vec<f32> = recent.copied().collect();
+        recent.sort_by(f32::total_cmp);
+        let typical = recent.get(recent.len() / 2).copied().unwrap_or(0.0);
+        let share = typical * rate / 1000.0;
+        let level = Detail::LEVELS.iter().position(|it| *it == self.detail());
+        let level = level.unwrap_or(0);
+        let better = level.checked_sub(1);
+        match share {
+            ..1.0 if share < SPARE_SHARE => {
+                better.map_or(Ok(()), |level| self.set_detail(Detail::LEVELS[level]))
+            }
+            1.0.. if level + 1 < Detail::LEVELS.len() => self.set_detail(Detail::LEVELS[level + 1]),
+            _ => Ok(()),
+        }
     }
 
     fn take_times(&mut self, begun: Instant) {
@@ -178,7 +281,10 @@ impl Session {
                 None => self.times.push((name, ms)),
             }
         }
-        self.history.push(begun.elapsed().as_secs_f32() * 1000.0);
+        // A device draws while its caller goes on: what it took is told by its clock.
+        let on_device: f64 = self.times.iter().map(|(_, ms)| ms).sum();
+        let waited = begun.elapsed().as_secs_f32() * 1000.0;
+        self.history.push(waited.max(on_device as f32));
         let surplus = self.history.len().saturating_sub(240);
         self.history.drain(..surplus);
     }
@@ -214,7 +320,7 @@ impl Session {
 
     fn change(&mut self, path: &str, value: &str) -> Result<(), Told> {
         let set = format!("{path}={value}");
-        let frame = self.simulation.frame().map_or(0, |frame| frame + 1);
+        let frame = self.next_frame();
         let mut changes = self.recording.changes.clone();
         // Of several changes of a knob in a frame, the last holds.
         changes
@@ -231,6 +337,106 @@ impl Session {
         self.scene = scene;
         self.note_value(path, KnobValue::Written(value.to_owned()));
         Ok(())
+    }
+
+    /// What a click at a place of the picture would do, in words; `None` where it does nothing.
+    pub fn touch_hint(&self) -> Option<&'static str> {
+        let burns = self.scene.fires.iter().any(|fire| fire.spread.is_some());
+        match (burns, self.scene.flocks.is_empty()) {
+            (true, _) => Some("click: it burns there; drag: look around"),
+            (false, false) => {
+                Some("click: boids steer there, right button: away from there; drag: look around")
+            }
+            (false, true) => None,
+        }
+    }
+
+    /// A click at a place of the picture drawn last, pixels from its upper left corner: from the next frame
+    /// on, what can burn burns there, or flocks steer there; or `away` from there. What was done, in
+    /// words; `None` where there is nothing to do.
+    ///
+    /// # Errors
+    /// The scene has no room for it.
+    pub fn touch(&mut self, at_px: [f32; 2], away: bool) -> Result<Option<String>, Told> {
+        if self.scene.fires.iter().any(|fire| fire.spread.is_some()) {
+            return match self.simulation.pick(at_px) {
+                Some(pick) if !away => self.ignite(&pick).map(Some),
+                _ => Ok(None),
+            };
+        }
+        let Some(ray) = self.simulation.ray_through(at_px) else {
+            return Ok(None);
+        };
+        let mut done = None;
+        for at in 0..self.scene.flocks.len() {
+            let Some(place) = place_for(&self.scene.flocks[at], &ray) else {
+                continue;
+            };
+            let weight = if away { -1.0 } else { 1.0 };
+            self.steer(at, place, weight)?;
+            let [x, y, z] = place;
+            let way = if away { "away from" } else { "to" };
+            done = Some(format!("boids steer {way} {x:.2}, {y:.2}, {z:.2}"));
+        }
+        Ok(done)
+    }
+
+    fn ignite(&mut self, pick: &Pick) -> Result<String, Told> {
+        let fire = &self.scene.fires[pick.fire];
+        let known = fire.spread.as_ref().map_or(&[][..], |it| &it.ignitions);
+        let new = Ignition {
+            position: pick.position,
+            first_frame: self.next_frame(),
+            points: known.first().map_or(16, |first| first.points),
+        };
+        let text = |one: &Ignition| {
+            format!(
+                "{{ position = {:?}, first_frame = {}, points = {} }}",
+                one.position, one.first_frame, one.points
+            )
+        };
+        let all: Vec<String> = known.iter().chain([&new]).map(text).collect();
+        let path = format!("fire.{}.spread.ignition", fire.name);
+        let [x, y, z] = pick.position;
+        let done = format!("`fire.{}` burns at {x:.3}, {y:.3}, {z:.3}", fire.name);
+        self.change(&path, &format!("[{}]", all.join(", ")))?;
+        Ok(done)
+    }
+
+    /// Gives a flock a goal, or moves the one that it has.
+    fn steer(&mut self, flock: usize, position: [f32; 3], weight: f32) -> Result<(), Told> {
+        let flock = &self.scene.flocks[flock];
+        let text = |goal: &Goal| {
+            format!(
+                "{{ position = {:?}, weight = {:?}, speed = {:?}, limit = {:?}, slowing_radius = {:?} }}",
+                goal.position, goal.weight, goal.speed, goal.limit, goal.slowing_radius
+            )
+        };
+        // A goal of no weight is as none.
+        let before = flock.goal.unwrap_or(Goal {
+            position,
+            weight: 0.0,
+            speed: 2.0 * flock.max_speed,
+            limit: CALLED_LIMIT * flock.max_speed,
+            slowing_radius: 0.0,
+        });
+        let now = Goal {
+            position,
+            weight,
+            ..before
+        };
+        let path = format!("flock.{}.goal", flock.name);
+        self.change(&path, &text(&now))?;
+        self.undone.push(Undo {
+            path,
+            before: KnobValue::Written(text(&before)),
+        });
+        Ok(())
+    }
+
+    /// The next frame to be stepped, from 0.
+    fn next_frame(&self) -> u32 {
+        self.simulation.frame().map_or(0, |frame| frame + 1)
     }
 
     /// Puts the knob that was turned last back to what it was, from the next frame on; whether there
@@ -282,7 +488,7 @@ impl Session {
         self.restart(0)
     }
 
-    /// Reads the scene's file again, and begins anew at the same frame. What is wrong with it leaves
+    /// Reads the scene's file and its meshes again, and begins anew at the same frame. What is wrong with it leaves
     /// all as it was.
     ///
     /// # Errors
@@ -294,13 +500,22 @@ impl Session {
             sets,
             ..
         } = &self.source;
-        self.source.load(&[])?;
-        let recording = match self.recording.turns_with(*loader, scene, sets) {
+        let turns = self.recording.turns_with(*loader, scene, sets);
+        let recording = match turns {
             Ok(_) => self.recording.clone(),
             // The keys that were turned are not what they were.
             Err(_) => Recording::default(),
         };
-        self.begin_again(recording, self.frame())
+        let before = (self.source.draft.take(), self.source.detail.clone());
+        let begun = self
+            .source
+            .read()
+            .and_then(|()| self.source.draw_as(self.detail()))
+            .and_then(|()| self.begin_again(recording, self.frame()));
+        if begun.is_err() {
+            (self.source.draft, self.source.detail) = before;
+        }
+        begun
     }
 
     /// Begins the scene as its file is now, with what the recording says, and goes to a frame; an
@@ -352,7 +567,8 @@ impl Session {
     /// # Errors
     /// The machine.
     pub fn draw_into(&mut self, texture: &wgpu::Texture) -> Result<(), Told> {
-        let camera = self.orbit.camera(&self.scene.camera);
+        let now = self.scene.at(f64::from(self.frame().cast_signed()));
+        let camera = self.orbit.camera(&now.camera);
         match camera {
             Some(camera) => self.simulation.draw_seen_by(&camera),
             None => self.simulation.draw(),
@@ -362,11 +578,44 @@ impl Session {
     }
 }
 
+/// Where a ray meets the plane that a flock lives in; for one in space, that of the middle of where it
+/// begins, as the ray's viewer has it before them.
+fn place_for(flock: &Flock, ray: &Ray) -> Option<[f32; 3]> {
+    match flock.dimensions {
+        Dimensions::Two => {
+            let [x, y, _] = ray.meets_plane([0.0; 3], [0.0, 0.0, 1.0])?;
+            Some([x, y, 0.0])
+        }
+        Dimensions::Three => {
+            let Corners { min, max } = flock.region;
+            let middle = [0, 1, 2].map(|axis| 0.5 * (min[axis] + max[axis]));
+            ray.meets_plane(middle, ray.direction)
+        }
+    }
+}
+
 fn told(error: SimulationError) -> Told {
     error.to_string()
 }
 
 impl Source {
+    /// A scene, by name or path, with changes made to it before it begins, loaded so, on that device, which
+    /// has a clock or not.
+    pub fn new(
+        (scene, sets, loader): (&str, &[String], Loader),
+        (device, is_timed): (GpuDevice, bool),
+    ) -> Self {
+        Self {
+            scene: scene.to_owned(),
+            sets: sets.to_vec(),
+            loader,
+            device,
+            is_timed,
+            detail: (Detail::LEVELS[0], Vec::new()),
+            draft: None,
+        }
+    }
+
     /// Gives a scene that names no capacity one that its births may be turned up to.
     fn make_room(&mut self) -> Result<(), Told> {
         let scene = self.load(&[])?;
@@ -384,9 +633,39 @@ impl Source {
     }
 
     fn load(&self, sets: &[String]) -> Result<Scene, Told> {
-        let sets = [self.sets.clone(), sets.to_vec()].concat();
-        let scene = self.loader.load_with(&self.scene, &sets);
+        let (_, coarser) = &self.detail;
+        self.load_as(&[&self.sets, sets, coarser].concat())
+    }
+
+    fn load_as(&self, sets: &[String]) -> Result<Scene, Told> {
+        let scene = match &self.draft {
+            Some(draft) => draft.scene_with(sets),
+            None => self.loader.load_with(&self.scene, sets),
+        };
         scene.map_err(|error| error.to_string())
+    }
+
+    /// Reads its file and its meshes, once for many changes.
+    fn read(&mut self) -> Result<(), Told> {
+        let draft = self.loader.draft(&self.scene, &[]);
+        let draft = draft.map_err(|error| error.to_string())?;
+        let scene = draft.scene_with(&self.sets);
+        scene.map_err(|error| error.to_string())?;
+        self.draft = Some(draft);
+        Ok(())
+    }
+
+    /// Every file that it was read from.
+    fn files(&self) -> Vec<PathBuf> {
+        let files = self.draft.as_ref().map(Draft::files);
+        files.into_iter().flatten().map(|(_, path)| path).collect()
+    }
+
+    /// Draws the scene, as its file is now, with that much detail.
+    fn draw_as(&mut self, detail: Detail) -> Result<(), Told> {
+        let scene = self.load_as(&self.sets)?;
+        self.detail = (detail, detail.sets(&scene));
+        Ok(())
     }
 
     fn knobs(&self) -> Result<Vec<Knob>, Told> {
@@ -396,7 +675,16 @@ impl Source {
 
     /// The run at `frame`.
     fn begin(&self, scene: &Scene, done: &Recording, frame: u32) -> Result<Simulation, Told> {
-        let turns = done.turns_with(self.loader, &self.scene, &self.sets);
+        let mut simulation = self.prepare(scene, done)?;
+        simulation.seek(frame).map_err(told)?;
+        Ok(simulation)
+    }
+
+    /// The run, no frame of which has been stepped.
+    fn prepare(&self, scene: &Scene, done: &Recording) -> Result<Simulation, Told> {
+        let (_, coarser) = &self.detail;
+        let sets = [self.sets.as_slice(), coarser].concat();
+        let turns = done.turns_with(self.loader, &self.scene, &sets);
         let options = Options {
             adapter: AdapterChoice::Device(self.device.clone()),
             // There is no end to playing, but there is to what lives for ever.
@@ -409,8 +697,6 @@ impl Source {
             },
             threads: None,
         };
-        let mut simulation = Simulation::new(scene, &options).map_err(told)?;
-        simulation.seek(frame).map_err(told)?;
-        Ok(simulation)
+        Simulation::new(scene, &options).map_err(told)
     }
 }

@@ -1,5 +1,6 @@
 //! The window: winit's events to egui, egui's pictures to a surface.
 
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant, SystemTime};
 
@@ -16,7 +17,7 @@ use super::stage::Stage;
 use crate::gpu::GpuDevice;
 use crate::scene::Loader;
 
-/// How often the scene's file is looked at.
+/// How often the scene's files are looked at.
 const WATCH_EVERY: Duration = Duration::from_millis(300);
 
 /// What to open; the adapter's name contains `adapter`, whatever the case.
@@ -85,41 +86,43 @@ struct Shown {
     watch: Watch,
 }
 
-/// The scene's file, and when it was written.
+/// The files that the scene was read from, and when they were written.
 struct Watch {
-    path: Option<std::path::PathBuf>,
-    written: Option<SystemTime>,
+    files: Vec<(PathBuf, Option<SystemTime>)>,
     looked: Instant,
 }
 
 impl Watch {
-    fn new(scene: &str) -> Self {
-        let path = std::path::Path::new(scene);
-        let path = path.is_file().then(|| path.to_owned());
-        let mut watch = Self {
-            path,
-            written: None,
-            looked: Instant::now(),
+    fn new(files: Vec<PathBuf>) -> Self {
+        let of = |path: PathBuf| {
+            let written = written_at(&path);
+            (path, written)
         };
-        watch.written = watch.time();
-        watch
+        Self {
+            files: files.into_iter().map(of).collect(),
+            looked: Instant::now(),
+        }
     }
 
-    fn time(&self) -> Option<SystemTime> {
-        std::fs::metadata(self.path.as_ref()?).ok()?.modified().ok()
-    }
-
-    /// Whether it was written since the last time.
+    /// Whether one was written since the last time.
     fn has_changed(&mut self) -> bool {
         if self.looked.elapsed() < WATCH_EVERY {
             return false;
         }
         self.looked = Instant::now();
-        let written = self.time();
-        let changed = written.is_some() && written != self.written;
-        self.written = written.or(self.written);
+        let mut changed = false;
+        for (path, known) in &mut self.files {
+            // An editor may take a file away for a moment.
+            let written = written_at(path);
+            changed |= written.is_some() && written != *known;
+            *known = written.or(*known);
+        }
         changed
     }
+}
+
+fn written_at(path: &Path) -> Option<SystemTime> {
+    std::fs::metadata(path).ok()?.modified().ok()
 }
 
 impl ApplicationHandler for Player {
@@ -193,13 +196,8 @@ impl Shown {
             ..config
         };
         surface.configure(&device, &config);
-        let source = Source {
-            scene: wish.scene.clone(),
-            sets: wish.sets.clone(),
-            loader: wish.loader,
-            is_timed: device.features().contains(wgpu::Features::TIMESTAMP_QUERY),
-            device: ours,
-        };
+        let is_timed = device.features().contains(wgpu::Features::TIMESTAMP_QUERY);
+        let source = Source::new((&wish.scene, &wish.sets, wish.loader), (ours, is_timed));
         let session = Session::new(source).map_err(WindowError::Scene)?;
         let ctx = egui::Context::default();
         let events = egui_winit::State::new(
@@ -217,9 +215,9 @@ impl Shown {
             config,
             ctx,
             events,
+            watch: Watch::new(session.files()),
             app: App::new(session),
             last: Instant::now(),
-            watch: Watch::new(&wish.scene),
         })
     }
 
@@ -236,7 +234,10 @@ impl Shown {
         self.last = Instant::now();
         if self.watch.has_changed() {
             match self.app.session.reload() {
-                Ok(()) => self.app.message = Some(("read the scene again".to_owned(), false)),
+                Ok(()) => {
+                    self.watch = Watch::new(self.app.session.files());
+                    self.app.message = Some(("read the scene again".to_owned(), false));
+                }
                 Err(told) => self.app.message = Some((told, true)),
             }
             self.app.is_stale = true;

@@ -4,6 +4,10 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod detail;
+mod table;
+mod touch;
+
 use std::path::Path;
 use std::process::{Command, Output};
 use std::time::Duration;
@@ -25,13 +29,11 @@ fn source(scene: &Path, sets: &[&str]) -> Source {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
     let name = &common::adapters()[0];
     let (_, device, queue) = view::device_of(&instance, name, |_| true).expect("it opens");
-    Source {
-        scene: scene.display().to_string(),
-        sets: sets.iter().map(|set| (*set).to_owned()).collect(),
-        loader: Loader::default(),
-        is_timed: device.features().contains(wgpu::Features::TIMESTAMP_QUERY),
-        device: GpuDevice::from_wgpu(&device, &queue).expect("it will do"),
-    }
+    let sets: Vec<String> = sets.iter().map(|set| (*set).to_owned()).collect();
+    let scene = scene.display().to_string();
+    let is_timed = device.features().contains(wgpu::Features::TIMESTAMP_QUERY);
+    let device = GpuDevice::from_wgpu(&device, &queue).expect("it will do");
+    Source::new((&scene, &sets, Loader::default()), (device, is_timed))
 }
 
 /// A folder with the scene in it, and a session of it.

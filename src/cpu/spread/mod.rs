@@ -59,7 +59,7 @@ impl Spreads {
             walkers: Vec::new(),
             ring_spans: vec![[0; 2]; plan.ring_count as usize],
             counts: SpreadCounts::default(),
-            catches: vec![[0; 4]; plan.spreads.piece_count() as usize],
+            catches: vec![[0; 4]; plan.ignitions.piece_count() as usize],
             dropped: vec![DroppedFlame::default(); plan.dropped_places as usize],
             flame_room: plan.dropped_capacity,
             has_marks: plan.uses.marks,

@@ -54,7 +54,8 @@ fn fire(at: usize, spot: &Spot<'_>, files: &Files) -> Result<Fire, SceneError> {
         details: table.must("details", whole32)?,
         detail_spread: table.must("detail_spread", Quantity::read)?,
         detail_alpha: table.must("detail_alpha", Quantity::read)?,
-        form: [FlameForm::Particles, FlameForm::Strip][table.must("form", choice)?],
+        form: [FlameForm::Particles, FlameForm::Strip, FlameForm::Line]
+            [table.must("form", choice)?],
         strip_cells: table.must("strip_cells", Quantity::read)?,
         strip_contrast: table.must("strip_contrast", Quantity::read)?,
         particle_matrix: table.must("particle_matrix", check::invertible)?,

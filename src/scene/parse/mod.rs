@@ -61,6 +61,16 @@ impl Draft {
         set::apply(&mut self.root, set)
     }
 
+    /// The scene that it is with these changes, made to it for this once: `path.to.key=value`.
+    #[cfg(feature = "view")]
+    pub(crate) fn scene_with(&self, sets: &[String]) -> Result<Scene, SceneError> {
+        let mut root = self.root.clone();
+        for set in sets {
+            set::apply(&mut root, &Set::argument(set))?;
+        }
+        scene(&root, &self.name, &self.files)
+    }
+
     /// Every file that was opened for it up to now, with what it is to the scene: its own, meshes,
     /// and their buffers.
     pub(crate) fn files(&self) -> Vec<(&'static str, PathBuf)> {
