@@ -105,7 +105,7 @@ impl FlamePaging {
     fn new(plan: &Plan, most_bytes: u64) -> Self {
         let most = FLAME_PAGED.iter().map(|name| bytes_a_flame(name, plan));
         let fits = (most_bytes / most.max().unwrap_or(0).max(1)).min(MOST_FLAMES) as u32;
-        let page_len = match plan.spreads.piece_count() {
+        let page_len = match plan.ignitions.piece_count() {
             0 => (fits / FLAME_GRAIN * FLAME_GRAIN).max(FLAME_GRAIN),
             _ => u32::MAX,
         };
