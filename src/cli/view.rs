@@ -34,8 +34,8 @@ pub(super) struct ViewArgs {
     #[arg(long)]
     allow_outside: bool,
     /// Play this script in a window that nobody sees: lines of `PASS ACTION`, actions being turn
-    /// PATH=VALUE, move X Y, press, release, wheel NOTCHES, key NAME, undo, shot FILE.png, save
-    /// FILE.toml and end
+    /// PATH=VALUE, move X Y, press, release, press right, release right, wheel NOTCHES, key NAME,
+    /// detail 0..3, undo, shot FILE.png, save FILE.toml and end
     #[arg(long, value_name = "FILE")]
     script: Option<PathBuf>,
 }

@@ -4,8 +4,8 @@
 use glam::{UVec4, Vec2, Vec3};
 
 use crate::exact::{
-    cross3, dot3, f32_of_u32, less, max_exact, normalize_exact, reciprocal, shared_constants,
-    square_root,
+    clamp3, cross3, dot3, f32_of_u32, less, max_exact, normalize_exact, reciprocal,
+    shared_constants, square_root,
 };
 use crate::layout::{FIRE_NORMALISED, FireFrame, ROOTS_CIRCLE, ROOTS_DISC};
 use crate::noise::noise;
@@ -25,6 +25,7 @@ shared_constants! {
     pub const LEAST_EXTENT: f32 = 0.000001;
     const LEAST_SPEED_SQUARED: f32 = 1e-12;
     const NUDGE: f32 = 0.001;
+    const MOST_SPEED: f32 = 1_000_000.0;
 }
 
 /// Four random words of a flame.
@@ -140,7 +141,8 @@ pub fn stepped(
     index: u32,
 ) -> Along {
     let position = from_here.position + from_here.velocity * (height * fire.motion[3]);
-    let mut velocity = from_here.velocity + wind;
+    let velocity = from_here.velocity + wind;
+    let mut velocity = clamp3(velocity, Vec3::splat(-MOST_SPEED), Vec3::splat(MOST_SPEED));
     if fire.kinds[3] & FIRE_NORMALISED != 0 {
         velocity = of_length_one(fire, velocity, from_here.velocity, wind, normal, index);
     }

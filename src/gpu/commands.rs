@@ -629,15 +629,25 @@ pub(super) fn is_used(kernel: &str, plan: &Plan) -> bool {
 pub const GLOW_RUN: u32 = 8;
 
 /// Invocations that share a flame: many where flames are few, and never so few that one turns its
-/// loops more often than drivers let it, even where every flame fills the picture.
-fn shares_of(plan: &Plan) -> u32 {
+/// loops more often than drivers let it, even where every flame fills the picture, of so many runs of
+/// pixels.
+fn shares_of(plan: &Plan, runs: u32) -> u32 {
     const MOST_TURNS: u32 = 48_000;
-    // One for each disc of a flame, and its own.
+    // One for each disc of a flame or place of a strip, and its own.
     const TURNS_A_RUN: u32 = FLAME_STEPS + 1;
-    let runs = plan.width.div_ceil(GLOW_RUN) * plan.height;
     let needed = runs.div_ceil(MOST_TURNS / TURNS_A_RUN);
     let wanted = if plan.flame_count > 1024 { 64 } else { 256 };
     needed.max(wanted).next_power_of_two()
+}
+
+/// Invocations that share a flame of discs.
+fn glow_shares_of(plan: &Plan) -> u32 {
+    shares_of(plan, plan.width.div_ceil(GLOW_RUN) * plan.height)
+}
+
+/// Invocations that share a strip, which take single pixels.
+pub(super) fn strip_shares_of(plan: &Plan) -> u32 {
+    shares_of(plan, plan.width * plan.height)
 }
 
 /// Invocations that share a triangle of many pixels: so many that none turns its loops more often
@@ -882,11 +892,18 @@ impl GpuBackend {
                 )
             }
             Work::FlameShares | Work::DetailShares => {
-                let shares = shares_of(plan);
+                let is_strip = kernel == "draw/strips";
+                let shares = match is_strip {
+                    true => strip_shares_of(plan),
+                    false => glow_shares_of(plan),
+                };
                 (0..).zip(self.memory.flame_paging.pages()).try_for_each(
                     |(page, (first, count))| {
+                        // Where one page has all flames, no more than can be counted.
+                        let countable = 1 << (u32::MAX / count.max(1)).ilog2();
+                        let shares = shares.min(countable);
                         let told = [count, shares, first];
-                        let known = if kernel == "draw/strips" { 3 } else { 2 };
+                        let known = if is_strip { 3 } else { 2 };
                         push(page, 0, &told[..known], direct(count * shares))
                     },
                 )

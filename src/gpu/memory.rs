@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::iter;
 
+use super::commands::strip_shares_of;
 use super::device::GpuDevice;
 use super::sort;
 use super::tiling::Tiling;
@@ -22,6 +23,9 @@ const FLAME_GRAIN: u32 = 32;
 
 /// Flames a page at most: as many invocations as share them in the largest picture can be counted.
 const MOST_FLAMES: u64 = 1 << 16;
+
+/// Invocations that can be counted.
+const COUNTED: u64 = 1 << 31;
 
 /// What is there of each flame in pages of so many; the flames themselves are in one.
 const FLAME_PAGED: [&str; 5] = [
@@ -104,7 +108,13 @@ impl FlamePaging {
     /// all steps at once: then there is one page.
     fn new(plan: &Plan, most_bytes: u64) -> Self {
         let most = FLAME_PAGED.iter().map(|name| bytes_a_flame(name, plan));
-        let fits = (most_bytes / most.max().unwrap_or(0).max(1)).min(MOST_FLAMES) as u32;
+        // Those that share a strip are more the larger the picture is.
+        let shared = match plan.uses.strips {
+            true => COUNTED / u64::from(strip_shares_of(plan)),
+            false => MOST_FLAMES,
+        };
+        let fits = most_bytes / most.max().unwrap_or(0).max(1);
+        let fits = fits.min(MOST_FLAMES).min(shared) as u32;
         let page_len = match plan.ignitions.piece_count() {
             0 => (fits / FLAME_GRAIN * FLAME_GRAIN).max(FLAME_GRAIN),
             _ => u32::MAX,
@@ -333,7 +343,8 @@ fn usage_of(name: &str) -> wgpu::BufferUsages {
     let kind = match (name, role) {
         ("frame", _) => Usage::UNIFORM | Usage::COPY_DST,
         (
-            "spread_counts" | "winds" | "counts" | "surface_light" | "stroke_light" | "shade_box",
+            "spread_counts" | "winds" | "lamps" | "counts" | "surface_light" | "stroke_light"
+            | "shade_box",
             _,
         ) => Usage::UNIFORM | Usage::STORAGE | Usage::COPY_DST,
         // Vertices, for callers who draw particles themselves.

@@ -10,7 +10,7 @@ const IMMEDIATE_BYTES: u32 = 24;
 const STORAGE_BUFFERS: u32 = 8;
 
 /// Most uniform buffers of a kernel.
-const UNIFORM_BUFFERS: u32 = 2;
+const UNIFORM_BUFFERS: u32 = 3;
 
 /// Most storage buffers of a kernel on a device with 64-bit integers.
 const WIDE_STORAGE_BUFFERS: u32 = 9;

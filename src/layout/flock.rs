@@ -61,6 +61,8 @@ shared_constants! {
     pub const RELATION_APPROACH: u32 = 2;
     /// Parts of the wind, at most.
     pub const MOST_WINDS: u32 = 16;
+    /// Lamps, at most.
+    pub const MOST_LAMPS: u32 = 16;
     /// [`Relation::kinds`]`[3]` at most.
     pub const MOST_NEAREST: u32 = 16;
     /// [`Obstacle::kinds`]`[0]`: a ball.

@@ -296,7 +296,7 @@ fn flock_frame(flock: &Flock, speed_before: f32, grid: &Grid, seed: u64) -> Floc
         edges_min: with(corners.min, factor),
         edges_max: with(corners.max, flock.perception_radius),
         torus: with(torus, 0.0),
-        torus_inverse: with(torus.map(inverse), 0.0),
+        torus_inverse: with(torus.map(|extent| inverse(snap(extent))), 0.0),
         grid_min: with(grid.corners.min, SUM_STEPS / power_of_two_from(fastest)),
         cells_per_unit: with(grid.cells_per_unit(), flock.size),
         cell_extent: with(grid.told_widths(), 0.0),

@@ -127,7 +127,9 @@ pub(super) fn frame_inputs(plan: &Plan, scene: &Scene, number: i32) -> FrameInpu
     };
     let winds = winds_of(&now, number);
     let layer_planes = layer_planes(&now);
-    let (flocks, relations, obstacles) = flocks_of(&now, &earlier, &plan.solids);
+    // What jumps has jumped: velocities are as they were limited in the frame before.
+    let before = plan.scene_at(number.saturating_sub(1)).at(time - 1.0);
+    let (flocks, relations, obstacles) = flocks_of(&now, &before, &plan.solids);
     let planets = planet_of(&now);
     let stroke_lights = light_of(&now);
     let is_lit = has_ground(&now) || !now.surfaces.is_empty() || !stroke_lights.is_empty();

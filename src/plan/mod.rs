@@ -179,7 +179,7 @@ impl Plan {
     /// Obstacles of all flocks together, at most.
     pub const MOST_OBSTACLES: u32 = 1024;
     /// Lights near the planet and the ground, at most.
-    pub const MOST_LAMPS: u32 = 16;
+    pub const MOST_LAMPS: u32 = crate::layout::MOST_LAMPS;
     /// Meshes that are seen, at most.
     pub const MOST_SURFACES: u32 = 64;
     /// Cylinders before the ground, at most.

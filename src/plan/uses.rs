@@ -171,11 +171,21 @@ fn has_triangles(flock: &FlockFrame) -> bool {
 /// after 65,535. Of as many, sums over boids need not be carried.
 const MOST_TURNS: u64 = 60_000;
 
-/// How many boids one of the flock looks at, and faces of meshes, at most.
-fn sight(flock: &FlockFrame, inputs: &FrameInputs) -> u64 {
+/// Turns that the loops of neighbours in a flock make together at most, if they look at so many boids in
+/// one: each boid of the others in one of them, for neighbours visit rows in an order that they share, but
+/// twice for each axis where rows begin again beyond the end of a torus; and the faces of meshes.
+fn turns(flock: &FlockFrame, inputs: &FrameInputs, a_turn: u64) -> u64 {
     let [first, count, ..] = flock.ties.map(|word| word as usize);
     let ties = inputs.relations.iter().skip(first).take(count);
     let other = |tie: &Relation| inputs.flocks.get(tie.kinds[1] as usize);
+    let looked_at = |other: &FlockFrame| {
+        let ways = match (is_torus(other), has_depth(other)) {
+            (false, _) => 1,
+            (true, false) => 2,
+            (true, true) => 4,
+        };
+        ways * u64::from(other.members[1])
+    };
     let own = u64::from(flock.members[1]);
     let [_, _, first, count] = flock.drawn.map(|word| word as usize);
     let obstacles = inputs.obstacles.iter().skip(first).take(count);
@@ -183,11 +193,8 @@ fn sight(flock: &FlockFrame, inputs: &FrameInputs) -> u64 {
     let faces = obstacles
         .filter(|it| is_solid(it))
         .map(|it| u64::from(it.kinds[3]));
-    ties.filter_map(other)
-        .map(|other| u64::from(other.members[1]))
-        .sum::<u64>()
-        .max(own)
-        + 2 * faces.sum::<u64>()
+    let boids = ties.filter_map(other).map(looked_at).sum::<u64>().max(own);
+    boids.div_ceil(a_turn) + 2 * faces.sum::<u64>()
 }
 
 impl Uses {
@@ -202,8 +209,12 @@ impl Uses {
             .spreads
             .iter()
             .any(|spread| spread.line_shape[0] > 0.0);
-        let most_seen = inputs.flocks.iter().map(|flock| sight(flock, inputs)).max();
-        let most_seen = most_seen.unwrap_or(0);
+        let most_turns = |a_turn: u64| {
+            let all = inputs.flocks.iter();
+            all.map(|flock| turns(flock, inputs, a_turn))
+                .max()
+                .unwrap_or(0)
+        };
         let own = Self {
             planet: !inputs.planets.is_empty(),
             details: inputs.fires.iter().any(|fire| fire.details[0] > 0.0),
@@ -235,8 +246,8 @@ impl Uses {
             obstacles: !inputs.obstacles.is_empty(),
             solids: inputs.obstacles.iter().any(is_solid),
             blown: inputs.flocks.iter().any(|flock| flock.goal_rule[3] > 0.0),
-            crowds: most_seen > MOST_TURNS,
-            throngs: most_seen > 4 * MOST_TURNS,
+            crowds: most_turns(1) > MOST_TURNS,
+            throngs: most_turns(4) > MOST_TURNS,
             many_systems: inputs.frame.system_count > 1,
             many_rows: inputs.frame.system_count > 1 || inputs.frame.row_mask > 0,
             many_winds: inputs.winds.len() > 1,

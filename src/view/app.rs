@@ -81,7 +81,8 @@ impl App {
         self.counted_at = Some(frame);
         let simulation = self.session.simulation();
         let plan = simulation.plan();
-        let (boids, flames) = (plan.boid_count, plan.flame_count);
+        let [.., burning] = plan.flames_at(frame.cast_signed());
+        let boids = plan.boid_count;
         let Ok(lines) = simulation.take_statistics() else {
             return;
         };
@@ -90,9 +91,12 @@ impl App {
         };
         let some = |count: u32, name: &str| (count > 0).then(|| format!("{count} {name}"));
         let parts = [
-            Some(format!("{} particles", last.live)),
+            some(last.live, "particles"),
+            some(last.systems_live, "systems"),
             some(boids, "boids"),
-            some(flames, "flames"),
+            some(burning + last.flames_live, "flames"),
+            some(last.points_live, "points of fronts"),
+            some(last.marks_live, "marks"),
         ];
         self.counts = parts.into_iter().flatten().collect::<Vec<_>>().join(", ");
     }
@@ -173,7 +177,9 @@ impl App {
                 self.restart(0);
             }
             let mut frame = self.session.frame();
-            let slot = egui::DragValue::new(&mut frame).prefix("frame ");
+            let slot = egui::DragValue::new(&mut frame)
+                .prefix("frame ")
+                .range(0..=1_000_000);
             if ui.add(slot).lost_focus() && frame != self.session.frame() {
                 self.restart(frame);
             }
@@ -181,7 +187,11 @@ impl App {
             ui.add(speed.logarithmic(true).text("speed"));
             let mut seed = self.session.scene().seed;
             if ui
-                .add(egui::DragValue::new(&mut seed).prefix("seed "))
+                .add(
+                    egui::DragValue::new(&mut seed)
+                        .prefix("seed ")
+                        .range(0..=i64::MAX as u64),
+                )
                 .lost_focus()
                 && seed != self.session.scene().seed
             {

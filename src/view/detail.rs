@@ -32,9 +32,9 @@ impl Detail {
     pub fn name(&self) -> &'static str {
         match (self.coarseness, self.flame_lines) {
             (1, false) => "full",
-            (2, false) => "half the pixels",
-            (1 | 2, _) => "half the pixels, flames as lines",
-            _ => "a quarter of the pixels, flames as lines",
+            (2, false) => "half the width and height",
+            (1 | 2, _) => "half the width and height, flames as lines",
+            _ => "a quarter of the width and height, flames as lines",
         }
     }
 

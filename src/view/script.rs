@@ -191,7 +191,10 @@ pub fn play(
             let scene = |told: Told| WindowError::Scene(script.placed(*line, &told));
             match action {
                 Action::Turn(path, value) => app.session.turn(path, value).map_err(scene)?,
-                Action::Detail(detail) => app.session.set_detail(*detail).map_err(scene)?,
+                Action::Detail(detail) => {
+                    app.session.set_detail(*detail).map_err(scene)?;
+                    app.is_stale = true;
+                }
                 Action::Undo => drop(app.session.undo().map_err(scene)?),
                 Action::Move(x, y) => {
                     pointer = egui::pos2(*x, *y);

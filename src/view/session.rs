@@ -2,6 +2,7 @@
 //! that it can be done again bit for bit (Perry 1994, 1.2: interactive control).
 
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use super::detail::{Detail, hangs_on_pixels};
@@ -9,10 +10,10 @@ use super::error::WindowError;
 use super::orbit::Orbit;
 use crate::gpu::{GpuDevice, GpuOptions};
 use crate::output::write_whole;
-use crate::plan::Plan;
+use crate::plan::{Plan, Turn};
 use crate::recording::{Change, Recording};
 use crate::scene::{
-    Corners, Dimensions, Draft, Flock, Goal, Ignition, Knob, KnobValue, Loader, Scene,
+    Corners, Dimensions, Draft, Flock, Goal, Ignition, Knob, KnobValue, Loader, Scene, SceneError,
 };
 use crate::simulation::{AdapterChoice, Options, Pick, Ray, Simulation, SimulationError, Snapshot};
 
@@ -29,8 +30,12 @@ const CALLED_LIMIT: f32 = 0.05;
 /// Frames that a detail is tried for before another is chosen.
 const SETTLING_FRAMES: u32 = 20;
 
-/// Frames that take less than this share of the time that there is leave room for more detail.
+/// Frames that take less than this share of the time that there is leave room for more detail, as far as
+/// one knows who has not tried.
 const SPARE_SHARE: f32 = 0.3;
+
+/// What frames may take of the time that there is where more detail was tried before.
+const ENOUGH_SHARE: f32 = 0.8;
 
 /// What to play with, and on what.
 pub struct Source {
@@ -46,8 +51,17 @@ pub struct Source {
     pub is_timed: bool,
     /// How much of it is drawn, and what that changes of it, as `--set` has it.
     detail: (Detail, Vec<String>),
-    /// Its file and its meshes as they were read last.
-    draft: Option<Draft>,
+    /// What was read of its files last.
+    read: Option<Rc<Files>>,
+}
+
+/// What was read of a scene's files.
+struct Files {
+    draft: Draft,
+    /// Its text.
+    text: String,
+    /// What can be turned, as it is written.
+    knobs: Vec<Knob>,
 }
 
 /// What went wrong, for the window: a few lines.
@@ -80,6 +94,9 @@ pub struct Session {
     pub least_rate: Option<f32>,
     /// Frames since the detail was chosen.
     settled: u32,
+    /// Of each level, when it was last given up for less: what frames took, and then took with less,
+    /// milliseconds.
+    given_up: [Option<[f32; 2]>; Detail::LEVELS.len()],
 }
 
 /// How a knob stood before it was turned.
@@ -94,10 +111,10 @@ impl Session {
     /// # Errors
     /// The scene, or the machine.
     pub fn new(mut source: Source) -> Result<Self, Told> {
-        source.read()?;
+        source.read_files()?;
         source.make_room()?;
         let scene = source.load(&[])?;
-        let knobs = source.knobs()?;
+        let knobs = source.files()?.knobs.clone();
         let recording = Recording::default();
         let simulation = source.begin(&scene, &recording, 0)?;
         let mut session = Self {
@@ -109,6 +126,7 @@ impl Session {
             history: Vec::new(),
             least_rate: None,
             settled: 0,
+            given_up: [None; Detail::LEVELS.len()],
             undone: Vec::new(),
             source,
             simulation,
@@ -156,7 +174,7 @@ impl Session {
 
     /// Every file that the scene was read from last: its own, meshes and their buffers.
     pub fn files(&self) -> Vec<PathBuf> {
-        self.source.files()
+        self.source.paths()
     }
 
     /// The last frame that has been stepped.
@@ -258,16 +276,32 @@ impl Session {
         recent.sort_by(f32::total_cmp);
         let typical = recent.get(recent.len() / 2).copied().unwrap_or(0.0);
         let share = typical * rate / 1000.0;
-        let level = Detail::LEVELS.iter().position(|it| *it == self.detail());
-        let level = level.unwrap_or(0);
-        let better = level.checked_sub(1);
-        match share {
-            ..1.0 if share < SPARE_SHARE => {
-                better.map_or(Ok(()), |level| self.set_detail(Detail::LEVELS[level]))
+        let level = Detail::LEVELS
+            .iter()
+            .position(|it| *it == self.detail())
+            .unwrap_or(0);
+        if let Some(more) = level.checked_sub(1) {
+            // What more would take now, as it did when it was given up.
+            let expected = match &mut self.given_up[more] {
+                None if share < SPARE_SHARE => 0.0,
+                None => 1.0,
+                Some([was, became]) => {
+                    if *became == 0.0 {
+                        *became = typical;
+                    }
+                    share * *was / *became
+                }
+            };
+            if expected < ENOUGH_SHARE {
+                self.given_up[more] = None;
+                return self.set_detail(Detail::LEVELS[more]);
             }
-            1.0.. if level + 1 < Detail::LEVELS.len() => self.set_detail(Detail::LEVELS[level + 1]),
-            _ => Ok(()),
         }
+        if share >= 1.0 && level + 1 < Detail::LEVELS.len() {
+            self.given_up[level] = Some([typical, 0.0]);
+            return self.set_detail(Detail::LEVELS[level + 1]);
+        }
+        Ok(())
     }
 
     fn take_times(&mut self, begun: Instant) {
@@ -327,6 +361,12 @@ impl Session {
             .retain(|change| change.frame != frame || change.set.split('=').next() != Some(path));
         let sets: Vec<String> = changes.iter().map(|change| change.set.clone()).collect();
         let scene = self.source.load(&[sets, vec![set.clone()]].concat())?;
+        if self.detail() != Detail::LEVELS[0] && hangs_on_pixels(&scene) {
+            return Err(
+                "births would go by the area that systems are seen on: draw all detail first"
+                    .into(),
+            );
+        }
         self.simulation.turn(scene.clone()).map_err(told)?;
         changes.push(Change {
             frame,
@@ -399,7 +439,10 @@ impl Session {
         let path = format!("fire.{}.spread.ignition", fire.name);
         let [x, y, z] = pick.position;
         let done = format!("`fire.{}` burns at {x:.3}, {y:.3}, {z:.3}", fire.name);
-        self.change(&path, &format!("[{}]", all.join(", ")))?;
+        let listed = |all: &[String]| format!("[{}]", all.join(", "));
+        let before = KnobValue::Written(listed(&all[..all.len() - 1]));
+        self.change(&path, &listed(&all))?;
+        self.undone.push(Undo { path, before });
         Ok(done)
     }
 
@@ -445,13 +488,15 @@ impl Session {
     /// # Errors
     /// It had no value before: no value brings that back.
     pub fn undo(&mut self) -> Result<bool, Told> {
-        let Some(Undo { path, before }) = self.undone.pop() else {
+        let Some(Undo { path, before }) = self.undone.last() else {
             return Ok(false);
         };
+        let (path, before) = (path.clone(), before.clone());
         match before {
             KnobValue::Written(value) | KnobValue::Default(value) => self.change(&path, &value)?,
             KnobValue::None => return Err(format!("`{path}` had no value to go back to")),
         }
+        self.undone.pop();
         Ok(true)
     }
 
@@ -485,7 +530,11 @@ impl Session {
     /// The machine.
     pub fn reseed(&mut self, seed: u64) -> Result<(), Told> {
         self.source.sets.push(format!("seed={seed}"));
-        self.restart(0)
+        let begun = self.restart(0);
+        if begun.is_err() {
+            self.source.sets.pop();
+        }
+        begun
     }
 
     /// Reads the scene's file and its meshes again, and begins anew at the same frame. What is wrong with it leaves
@@ -494,26 +543,22 @@ impl Session {
     /// # Errors
     /// The scene.
     pub fn reload(&mut self) -> Result<(), Told> {
-        let Source {
-            loader,
-            scene,
-            sets,
-            ..
-        } = &self.source;
-        let turns = self.recording.turns_with(*loader, scene, sets);
-        let recording = match turns {
-            Ok(_) => self.recording.clone(),
-            // The keys that were turned are not what they were.
-            Err(_) => Recording::default(),
-        };
-        let before = (self.source.draft.take(), self.source.detail.clone());
+        let before = (self.source.read.clone(), self.source.detail.clone());
         let begun = self
             .source
-            .read()
+            .read_files()
             .and_then(|()| self.source.draw_as(self.detail()))
-            .and_then(|()| self.begin_again(recording, self.frame()));
-        if begun.is_err() {
-            (self.source.draft, self.source.detail) = before;
+            .and_then(|()| {
+                let recording = match self.source.turns(&self.recording) {
+                    Ok(_) => self.recording.clone(),
+                    // The keys that were turned are not what they were.
+                    Err(_) => Recording::default(),
+                };
+                self.begin_again(recording, self.frame())
+            });
+        match begun {
+            Ok(()) => self.undone.clear(),
+            Err(_) => (self.source.read, self.source.detail) = before,
         }
         begun
     }
@@ -524,7 +569,7 @@ impl Session {
         let sets = recording.changes.iter().map(|change| change.set.clone());
         let sets: Vec<String> = sets.collect();
         let (begun, scene) = (self.source.load(&[])?, self.source.load(&sets)?);
-        let knobs = self.source.knobs()?;
+        let knobs = self.source.files()?.knobs.clone();
         self.simulation = self.source.begin(&begun, &recording, frame)?;
         (self.scene, self.knobs, self.recording) = (scene, knobs, recording);
         self.note_sets(&sets);
@@ -541,8 +586,7 @@ impl Session {
             let told = format!("error: {}: a scene's file ends in .toml", path.display());
             return Err(WindowError::Scene(told));
         }
-        let text = self.source.loader.text(&self.source.scene);
-        let text = text.map_err(|error| WindowError::Scene(error.to_string()))?;
+        let files = self.source.files().map_err(WindowError::Scene)?;
         let inputs = path.with_extension("inputs");
         let sets: String = self
             .source
@@ -558,7 +602,7 @@ impl Session {
         );
         write_whole(&inputs, (head + &self.recording.to_text()).as_bytes())
             .map_err(WindowError::Output)?;
-        write_whole(path, text.as_bytes()).map_err(WindowError::Output)?;
+        write_whole(path, files.text.as_bytes()).map_err(WindowError::Output)?;
         Ok(inputs)
     }
 
@@ -612,7 +656,7 @@ impl Source {
             device,
             is_timed,
             detail: (Detail::LEVELS[0], Vec::new()),
-            draft: None,
+            read: None,
         }
     }
 
@@ -638,39 +682,52 @@ impl Source {
     }
 
     fn load_as(&self, sets: &[String]) -> Result<Scene, Told> {
-        let scene = match &self.draft {
-            Some(draft) => draft.scene_with(sets),
-            None => self.loader.load_with(&self.scene, sets),
-        };
-        scene.map_err(|error| error.to_string())
+        self.draft_as(sets)?
+            .scene()
+            .map_err(|error| error.to_string())
+    }
+
+    fn draft_as(&self, sets: &[String]) -> Result<Draft, Told> {
+        let draft = self.files()?.draft.with(sets);
+        draft.map_err(|error| error.to_string())
+    }
+
+    fn files(&self) -> Result<&Files, Told> {
+        let read = self.read.as_deref();
+        read.ok_or_else(|| format!("error: {} has not been read", self.scene))
     }
 
     /// Reads its file and its meshes, once for many changes.
-    fn read(&mut self) -> Result<(), Told> {
-        let draft = self.loader.draft(&self.scene, &[]);
-        let draft = draft.map_err(|error| error.to_string())?;
-        let scene = draft.scene_with(&self.sets);
-        scene.map_err(|error| error.to_string())?;
-        self.draft = Some(draft);
+    fn read_files(&mut self) -> Result<(), Told> {
+        let read = || -> Result<Files, SceneError> {
+            let draft = self.loader.draft(&self.scene, &[])?;
+            draft.with(&self.sets)?.scene()?;
+            Ok(Files {
+                draft,
+                text: self.loader.text(&self.scene)?,
+                knobs: self.loader.knobs(&self.scene)?,
+            })
+        };
+        let read = read().map_err(|error| error.to_string())?;
+        self.read = Some(Rc::new(read));
         Ok(())
     }
 
     /// Every file that it was read from.
-    fn files(&self) -> Vec<PathBuf> {
-        let files = self.draft.as_ref().map(Draft::files);
+    fn paths(&self) -> Vec<PathBuf> {
+        let files = self.read.as_ref().map(|read| read.draft.files());
         files.into_iter().flatten().map(|(_, path)| path).collect()
     }
 
-    /// Draws the scene, as its file is now, with that much detail.
+    /// Draws the scene, as its file is now, with that much detail; with all, if what happens hangs on it.
     fn draw_as(&mut self, detail: Detail) -> Result<(), Told> {
         let scene = self.load_as(&self.sets)?;
+        let detail = match hangs_on_pixels(&scene) {
+            true => Detail::LEVELS[0],
+            false => detail,
+        };
         self.detail = (detail, detail.sets(&scene));
         Ok(())
-    }
-
-    fn knobs(&self) -> Result<Vec<Knob>, Told> {
-        let knobs = self.loader.knobs(&self.scene);
-        knobs.map_err(|error| error.to_string())
     }
 
     /// The run at `frame`.
@@ -680,16 +737,21 @@ impl Source {
         Ok(simulation)
     }
 
+    /// What was done, as turns of the scene as it is drawn.
+    fn turns(&self, done: &Recording) -> Result<Vec<Turn>, Told> {
+        let (_, coarser) = &self.detail;
+        let mut draft = self.draft_as(&[self.sets.as_slice(), coarser].concat())?;
+        let turns = done.turns_on(&mut draft, ("", "changes"));
+        turns.map_err(|refused| refused.message)
+    }
+
     /// The run, no frame of which has been stepped.
     fn prepare(&self, scene: &Scene, done: &Recording) -> Result<Simulation, Told> {
-        let (_, coarser) = &self.detail;
-        let sets = [self.sets.as_slice(), coarser].concat();
-        let turns = done.turns_with(self.loader, &self.scene, &sets);
         let options = Options {
             adapter: AdapterChoice::Device(self.device.clone()),
             // There is no end to playing, but there is to what lives for ever.
             frame_end: scene.frames,
-            turns: turns.map_err(|refused| refused.message)?,
+            turns: self.turns(done)?,
             editable: true,
             gpu: GpuOptions {
                 timed: self.is_timed,

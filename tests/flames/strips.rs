@@ -288,3 +288,61 @@ fn p25_noise_makes_matrices_that_depend_on_the_place() {
             .all(|two| (two[1] / two[0] - 1.0).abs() < 0.5)
     );
 }
+
+#[test]
+fn p43_a_strip_that_doubles_back_is_clear_at_its_edges_from_above() {
+    let lines = "form = \"strip\"\nstrip_contrast = 0\nwidth = 0.2\nbuoyancy = 0.15\n\
+                 [[fire.flame]]\nposition = [-0.3, 0.3, 0]\nnormal = [1, 0.02, 0]";
+    let wind = "[[wind]]\nkind = \"uniform\"\nvelocity = [-0.13, 0, 0]\n";
+    let mut scene = scene_with(&[&lone(lines)], wind);
+    scene.camera.position = [0.0, 3.0, 0.0];
+    scene.camera.target = [0.0, 0.5, 0.0];
+    scene.camera.up = [0.0, 0.0, -1.0];
+    let way = way(&scene, 0);
+    let focal = 60.0 / 22.5f64.to_radians().tan();
+    let seen: Vec<[f64; 2]> = way
+        .iter()
+        .map(|[x, y, z]| [80.0 + focal * x / (3.0 - y), 60.0 + focal * z / (3.0 - y)])
+        .collect();
+    let farthest = seen.iter().map(|at| at[0]).fold(f64::MIN, f64::max);
+    assert!(farthest - seen[24][0] > 10.0, "it does not come back");
+    // The nearest of its places to the eye, and the widest part of it.
+    let nearest = way
+        .iter()
+        .map(|place| 3.0 - place[1])
+        .fold(f64::MAX, f64::min);
+    let most = 1.07 * 0.1 * focal / nearest;
+    let mut lit = 0;
+    for (at, pixel) in drawn(&scene, 0).light.iter().enumerate() {
+        if pixel[0] == 0.0 {
+            continue;
+        }
+        lit += 1;
+        let place = [(at % 160) as f64 + 0.5, (at / 160) as f64 + 0.5];
+        let off = seen.windows(2).map(|ends| {
+            let [a, b] = [ends[0], ends[1]];
+            let way = [b[0] - a[0], b[1] - a[1]];
+            let off = [place[0] - a[0], place[1] - a[1]];
+            let part = (way[0] * off[0] + way[1] * off[1]) / (way[0] * way[0] + way[1] * way[1]);
+            let part = part.clamp(0.0, 1.0);
+            (off[0] - part * way[0]).hypot(off[1] - part * way[1])
+        });
+        let distance = off.fold(f64::MAX, f64::min);
+        assert!(
+            distance < 1.05 * most,
+            "light {distance} px beside it, at {place:?}"
+        );
+    }
+    assert!(lit > 200, "{lit}");
+}
+
+#[test]
+fn no_noise_carries_a_flame_beyond_all_numbers() {
+    let lines = "speed = \"free\"\nstart_speed = 0\nbuoyancy = 0.004\nnoisiness = 1000\ninverse_cohesion = 0\nheight = 1000";
+    let scene = flame(lines);
+    for frame in [0, 3, 40] {
+        let way = way(&scene, frame);
+        assert!(way.iter().flatten().all(|x| x.is_finite()), "{way:?}");
+        assert!(way.iter().flatten().any(|x| x.abs() > 1e6), "{way:?}");
+    }
+}

@@ -68,3 +68,19 @@ fn p76_more_flames_than_a_page_holds_are_the_same_as_fewer() {
         }
     });
 }
+
+#[test]
+fn p80_a_strip_that_fills_the_picture_is_whole() {
+    let lines = "name = \"wall\"\nform = \"strip\"\nheight = 6\nwidth = 14\n[[fire.flame]]\nposition = [0, -2, -1]\n";
+    let mut scene = scene_with(&[lines], "");
+    (scene.image.width, scene.image.height) = (1280, 720);
+    let plan = plan(&scene);
+    let frames = frames_of(&plan, 1);
+    on_each_adapter(|name, device| {
+        let mut gpu = on_gpu(device, &plan, &GpuOptions::default());
+        let mut cpu = on_cpu(&plan);
+        if let Err(difference) = compare_run(&frames, &mut gpu, &mut cpu) {
+            panic!("{name}: {difference}");
+        }
+    });
+}

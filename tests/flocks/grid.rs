@@ -187,3 +187,68 @@ fn fa11_a_sum_has_no_most() {
          perception_radius = 100\n[[flock.relation]]\nkind = \"flock\"\nother = \"crowd\"",
     ]);
 }
+
+/// A crowd in one row of cells that neighbours in two rows see: the loops of both turn together on
+/// software drivers, and they have turns for it once.
+#[test]
+fn fa11_neighbours_of_two_rows_see_a_whole_crowd() {
+    let edges = "edges = { kind = \"wrap\", min = [0, 0, 0], max = [500, 300, 0] }";
+    assert_sees_the_same(&[
+        &format!(
+            "name = \"crowd\"\ncount = 45_000\n{edges}\nregion = {{ min = [100, 125, 0], max = [110, 130, 0] }}"
+        ),
+        &format!(
+            "name = \"few\"\ncount = 20\n{edges}\nregion = {{ min = [95, 105, 0], max = [115, 140, 0] }}\n\
+             [[flock.relation]]\nkind = \"flock\"\nother = \"crowd\""
+        ),
+    ]);
+}
+
+/// The greatest speed falls at once: velocities of the frame before are beyond it still.
+#[test]
+fn fa11_sums_hold_velocities_that_were_allowed_before() {
+    let lines = "name = \"boids\"\ncount = 600\nforce = [-50, 0, 0]\n\
+         region = { min = [0, 0, 0], max = [1, 1, 0] }\nperception_radius = 100_000\n\
+         max_speed = { keys = [[0, 1000], [30, 2]], interpolation = \"step\" }\n\
+         [[flock.relation]]\nkind = \"flock\"";
+    let plan = plan(&scene(&[lines]));
+    assert_twins(&plan, &frames_of(&plan, 32), &GpuOptions::default());
+}
+
+#[test]
+fn boids_of_a_plane_stay_in_it_whatever_they_see() {
+    let plan = plan(&scene(&[
+        "name = \"deep\"\ncount = 60\ndimensions = 3\nregion = { min = [0, 0, -40], max = [100, 100, 80] }",
+        "name = \"flat\"\ncount = 60\nregion = { min = [0, 0, 0], max = [100, 100, 0] }\n\
+         [[flock.relation]]\nkind = \"flock\"\nother = \"deep\"\n\
+         [[flock.relation]]\nkind = \"avoid\"\nother = \"deep\"",
+    ]));
+    let mut cpu = on_cpu(&plan);
+    for inputs in frames_of(&plan, 12) {
+        step(&mut cpu, &inputs);
+    }
+    let states = states_of(&boids(&mut cpu));
+    let (deep, flat) = states.split_at(60);
+    assert!(deep.iter().any(|(place, _)| place[2] != 0.0));
+    for (place, velocity) in flat {
+        assert_eq!([place[2], velocity[2]], [0.0; 2]);
+    }
+}
+
+#[test]
+fn a_torus_that_is_no_wider_than_nothing_keeps_its_boids() {
+    let plan = plan(&scene(&[
+        "name = \"boids\"\ncount = 9\nstart_speed = 2\nregion = { min = [0, 0, 0], max = [1e-39, 300, 0] }\n\
+         edges = { kind = \"torus\", min = [0, 0, 0], max = [1e-38, 300, 0] }",
+    ]));
+    let mut cpu = on_cpu(&plan);
+    for inputs in frames_of(&plan, 4) {
+        step(&mut cpu, &inputs);
+    }
+    for (place, velocity) in states_of(&boids(&mut cpu)) {
+        assert!(
+            place.iter().chain(&velocity).all(|x| x.is_finite()),
+            "{place:?}"
+        );
+    }
+}

@@ -30,7 +30,10 @@ fn fire() -> (tempfile::TempDir, Session) {
 fn less_is_drawn_of_the_same_run() {
     let (_folder, mut all) = fire();
     let (_other, mut less) = fire();
-    steps(&mut all, 30);
+    steps(&mut all, 6);
+    all.turn("fire.oak.spread.time_scale", "0.3")
+        .expect("it turns");
+    steps(&mut all, 24);
     steps(&mut less, 6);
     less.set_detail(Detail::LEVELS[3]).expect("it goes on");
     assert_eq!(less.frame(), 6);
@@ -38,7 +41,7 @@ fn less_is_drawn_of_the_same_run() {
     assert_eq!((scene.image.width, scene.image.height), (17, 10));
     assert_eq!(scene.fires[0].form, FlameForm::Line);
     less.simulation().draw().expect("it is drawn");
-    less.turn("fire.oak.spread.time_scale", "0.2")
+    less.turn("fire.oak.spread.time_scale", "0.3")
         .expect("it turns");
     steps(&mut less, 12);
     less.set_detail(Detail::LEVELS[1]).expect("it goes on");

@@ -284,6 +284,29 @@ ignition = [{ position = [0, 0, 1] }]
     .expect("it is written");
     std::fs::write(folder.path().join("play.txt"), "2 shot seen.png\n3 end\n")
         .expect("it is written");
+    // A click at the middle of the picture lights the cube there.
+    let click = "2 move 665 250\n3 press\n4 release\n6 detail 2\n8 save lit.toml\n9 shot lit.png\n";
+    std::fs::write(folder.path().join("click.txt"), click).expect("it is written");
+    let arguments = [
+        "view",
+        "wall.toml",
+        "--script",
+        "click.txt",
+        "--window",
+        "1000x600",
+    ];
+    let output = motes(folder.path(), &arguments);
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{stderr}");
+    let inputs = std::fs::read_to_string(folder.path().join("lit.inputs")).expect("it is there");
+    let lit: Vec<&str> = inputs.lines().skip(1).collect();
+    assert_eq!(lit.len(), 1, "{inputs}");
+    assert!(
+        lit[0]
+            .contains(" fire.wall.spread.ignition=[{ position = [0.0, 0.0, 1.0], first_frame = 0"),
+        "{inputs}"
+    );
+    assert_eq!(lit[0].matches("position").count(), 2, "{inputs}");
     for scene in ["bounce-wrap", "wall.toml"] {
         let output = motes(folder.path(), &["view", scene, "--script", "play.txt"]);
         let stderr = String::from_utf8_lossy(&output.stderr);

@@ -58,6 +58,11 @@ fn a_click_lights_what_it_meets() {
     assert!(done.contains("`fire.oak`"), "{done}");
     steps(&mut session, 1);
     assert_near(&last_ring(&mut session), [0.25, 0.125, 0.5]);
+    // What has begun to burn cannot be undone, and is not forgotten.
+    for _ in 0..2 {
+        let told = session.undo().expect_err("it burns");
+        assert!(told.contains("has begun to burn before"), "{told}");
+    }
     // It burns on.
     steps(&mut session, 8);
     let ring = last_ring(&mut session);
@@ -247,6 +252,12 @@ fn a_mesh_that_is_written_again_is_read_again() {
     assert_eq!(area(&session), 0.25);
     std::fs::write(&mesh, "v 0 0 0\n").expect("it is written");
     session.reload().expect_err("it has no triangle");
+    assert_eq!(area(&session), 0.25);
+    // The last good state goes on, whatever is asked of it.
+    session
+        .set_detail(motes::view::Detail::LEVELS[1])
+        .expect("it goes on");
+    session.restart(3).expect("it begins again");
     assert_eq!(area(&session), 0.25);
     session
         .turn("fire.oak.spread.time_scale", "0.1")

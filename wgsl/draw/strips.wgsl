@@ -4,8 +4,9 @@
 // that it may touch; a pixel is of the pieces of the strip that it lies in, nearly always one or none.
 // Reads: frame, fires, age_looks, flames, strip_joints, flame_bounds, surface_nearness. Writes, by atomic
 // adds: light_low, light_high.
-// Invariant: between two pieces there is no gap, and nothing is of both; the image does not depend on the
-// order of flames, nor on how they are shared out.
+// Invariant: between two pieces there is no gap, and nothing is of both, but where a strip turns back on
+// itself within a step, as it is seen: there it is open. The image does not depend on the order of flames,
+// nor on how they are shared out.
 
 #import motes::dispatch::linear_index
 #import motes::exact::{f32_of_u32, less, reciprocal, to_u32}
@@ -81,7 +82,9 @@ fn strip_light(flame: u32, fire: FireFrame, slot: u32, index: u32, pixel: vec2<f
         let off_next = pixel - next.xy;
         let ahead_next = along(off_next, next.zw);
         let are_seen = from_here.extent.z == 1u && to_there.extent.z == 1u;
-        if are_seen && !less(ahead, 0.0f) && less(ahead_next, 0.0f) {
+        // Between lines that look away from each other there is no end to a piece.
+        let goes_on = less(0.0f, along(next.zw, place.zw));
+        if are_seen && goes_on && !less(ahead, 0.0f) && less(ahead_next, 0.0f) {
             let part = ahead * reciprocal(ahead - ahead_next);
             let here = bitcast<vec2<f32>>(from_here.extent.xy);
             let there = bitcast<vec2<f32>>(to_there.extent.xy);

@@ -17,7 +17,7 @@
     normalize_exact, reciprocal, square_root,
 }
 #import motes::grain::grain_at
-#import motes::layout::{FlameLight, Frame, Lamp, Pillar, SurfaceFrame, SurfaceLight}
+#import motes::layout::{FlameLight, Frame, Lamp, MOST_LAMPS, Pillar, SurfaceFrame, SurfaceLight}
 #import motes::pillar::{Meeting, meeting, passed}
 #import motes::raster::{normal_of, rows_times, samples_down, samples_right}
 
@@ -38,7 +38,7 @@ const NO_PILLAR: u32 = 0xffffffffu;
 @group(0) @binding(1) var<storage, read> surfaces: array<SurfaceFrame>;
 @group(0) @binding(2) var<storage, read> surface_corners: array<vec4<u32>>;
 @group(0) @binding(3) var<uniform> surface_light: SurfaceLight;
-@group(0) @binding(4) var<storage, read> lamps: array<Lamp>;
+@group(0) @binding(4) var<uniform> lamps: array<Lamp, MOST_LAMPS>;
 @group(0) @binding(5) var<storage, read> flame_lights: array<FlameLight>;
 @group(0) @binding(6) var<storage, read> pillars: array<Pillar>;
 @group(0) @binding(7) var<storage, read_write> surface_nearness: array<vec4<u32>>;

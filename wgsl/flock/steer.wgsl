@@ -69,6 +69,8 @@ var<immediate> which: Which;
 
 // Farther than anything, squared.
 const FAR_SQUARED: f32 = 1e30f;
+// Rows of cells that one can be in reach of along an axis, as a rule.
+const ROW_SLOTS: i32 = 3i;
 
 // Who looks, at whom and how.
 struct View {
@@ -232,8 +234,15 @@ fn row_range(other: FlockFrame, first: i32, count: i32, y: i32, z: i32) -> vec2<
     return vec2<u32>(cell_starts[start], cell_starts[start + u32(count)]);
 }
 
+// The nth of the rows that are visited, from `first` on: that whose number is nth modulo so many.
+fn nth_row(nth: i32, first: i32, slots: i32) -> i32 {
+    let beyond = (nth - first) % slots;
+    return first + select(beyond, beyond + slots, beyond < 0i);
+}
+
 // All that a boid perceives of a flock: row by row of the cells in reach; on a torus, the part of a
-// row beyond its end is a row of its own.
+// row beyond its end is a row of its own. Neighbours visit the same row at the same time, wherever
+// their own is: the loops of several turn together on software drivers, as often as the longest.
 fn look(view: View) -> Perceived {
     let other = view.other;
     let wraps = TORUS && other.members.w == EDGES_TORUS;
@@ -247,13 +256,16 @@ fn look(view: View) -> Perceived {
             nearest[slot] = vec3<u32>(0xffffffffu);
         }
     }
-    var y = along_y.first;
-    var z = along_z.first;
-    for (var row = along_y.count * along_z.count; row > 0i; row -= 1i) {
+    let slots_y = max(along_y.count, ROW_SLOTS);
+    let slots_z = select(max(along_z.count, ROW_SLOTS), 1i, other.grid.z == 1u);
+    for (var row = slots_y * slots_z; row > 0i; row -= 1i) {
+        let y = nth_row(row % slots_y, along_y.first, slots_y);
+        let z = nth_row(row / slots_y, along_z.first, slots_z);
+        let is_there = y < along_y.first + along_y.count && z < along_z.first + along_z.count;
         let gap_y = gap_to(y, place.y, other.cell_extent.y, along_y.count, other.grid.y, wraps);
         let gap_z = gap_to(z, place.z, other.cell_extent.z, along_z.count, other.grid.z, wraps);
         let half = half_row(reach, gap_y * gap_y + gap_z * gap_z);
-        if less(0.0f, half) {
+        if is_there && less(0.0f, half) {
             let along_x = span(place.x, half * other.cells_per_unit.x, other.grid.x, wraps);
             var first = along_x.first;
             var row_y = y;
@@ -271,11 +283,6 @@ fn look(view: View) -> Perceived {
                 left -= within;
                 first = 0i;
             }
-        }
-        y += 1i;
-        if y == along_y.first + along_y.count {
-            y = along_y.first;
-            z += 1i;
         }
     }
     for (var slot = 0u; NEAREST && slot < view.relation.kinds.w; slot += 1u) {
@@ -366,6 +373,8 @@ fn steer(@builtin(global_invocation_id) global_id: vec3<u32>) {
     if BLOWN {
         acceleration += dragged(flock, lone_wind, motion);
     }
+    // In a plane there is no depth to go to, wherever others are.
+    acceleration.z = select(0.0f, acceleration.z, flock.ties.z == 1u);
     var next = moved(flock, motion, acceleration);
     for (var obstacle = flock.drawn.z; OBSTACLES && obstacle < obstacles_end; obstacle += 1u) {
         next = kept_out(surface_at(obstacles[obstacle], next.position), next);

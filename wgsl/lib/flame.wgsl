@@ -9,7 +9,7 @@
 #define_import_path motes::flame
 
 #import motes::exact::{
-    cross3, dot3, f32_of_u32, less, max_exact, normalize_exact, reciprocal, square_root,
+    clamp3, cross3, dot3, f32_of_u32, less, max_exact, normalize_exact, reciprocal, square_root,
 }
 #import motes::layout::{FIRE_NORMALISED, FireFrame, ROOTS_CIRCLE, ROOTS_DISC, ROOTS_LINE}
 #import motes::noise::noise
@@ -28,6 +28,8 @@ const LEAST_EXTENT: f32 = 0.000001f;
 const LEAST_SPEED_SQUARED: f32 = 1e-12f;
 // How far a flame that a ceiling stops is pushed aside.
 const NUDGE: f32 = 0.001f;
+// Faster along any axis is no particle: noise may grow with what it moves.
+const MOST_SPEED: f32 = 1000000.0f;
 
 fn flame_draw(fire: FireFrame, index: u32, stream: u32) -> vec4<u32> {
     return pcg4d(vec4<u32>(fire.kinds.y, FLAME_TAG, index, stream));
@@ -112,7 +114,8 @@ fn is_normalised(fire: FireFrame) -> bool {
 // by the wind.
 fn moved(fire: FireFrame, from_here: Along, wind: vec3<f32>, height: f32) -> Along {
     let position = from_here.position + from_here.velocity * (height * fire.motion.w);
-    return Along(position, from_here.velocity + wind);
+    let velocity = from_here.velocity + wind;
+    return Along(position, clamp3(velocity, vec3<f32>(-MOST_SPEED), vec3<f32>(MOST_SPEED)));
 }
 
 // Whether the wind stops the particle so that its velocity has no direction.

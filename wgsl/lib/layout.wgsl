@@ -409,6 +409,9 @@ struct Obstacle {
 // Parts of the wind, at most.
 const MOST_WINDS: u32 = 16u;
 
+// Lamps, at most.
+const MOST_LAMPS: u32 = 16u;
+
 // Relation.kinds.w at most.
 const MOST_NEAREST: u32 = 16u;
 

@@ -54,7 +54,8 @@ fn strip_light(
         let ((off, way), (off_next, way_next)) = (split(here), split(there));
         let (ahead, ahead_next) = (along(off, way), along(off_next, way_next));
         let are_seen = here.extent[2] == 1 && there.extent[2] == 1;
-        if !are_seen || less(ahead, 0.0) || !less(ahead_next, 0.0) {
+        let goes_on = less(0.0, along(way_next, way));
+        if !are_seen || !goes_on || less(ahead, 0.0) || !less(ahead_next, 0.0) {
             continue;
         }
         let part = ahead * reciprocal(ahead - ahead_next);

@@ -192,6 +192,10 @@ pub fn steer(
     if flock.goal_rule[3] != 0.0 {
         acceleration += dragged(flock, &inputs.winds, motion);
     }
+    // In a plane there is no depth to go to, wherever others are.
+    if flock.ties[2] != 1 {
+        acceleration.z = 0.0;
+    }
     let mut next = moved(flock, motion, acceleration);
     for obstacle in obstacles {
         next = kept_out(&surface_of(obstacle, solid_faces, next.position), next);

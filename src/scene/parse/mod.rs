@@ -31,7 +31,7 @@ use super::{
 pub(crate) struct Draft {
     root: Node,
     name: String,
-    files: Files,
+    files: Rc<Files>,
 }
 
 impl Draft {
@@ -53,7 +53,11 @@ impl Draft {
         // Where something is missing from the whole file, its first character stands for it.
         root.at.span = 0..0;
         let name = name.to_owned();
-        Ok(Self { root, name, files })
+        Ok(Self {
+            root,
+            name,
+            files: Rc::new(files),
+        })
     }
 
     /// Changes a value.
@@ -61,14 +65,18 @@ impl Draft {
         set::apply(&mut self.root, set)
     }
 
-    /// The scene that it is with these changes, made to it for this once: `path.to.key=value`.
+    /// Another one with these changes, `path.to.key=value`, that reads no file a second time.
     #[cfg(feature = "view")]
-    pub(crate) fn scene_with(&self, sets: &[String]) -> Result<Scene, SceneError> {
-        let mut root = self.root.clone();
+    pub(crate) fn with(&self, sets: &[String]) -> Result<Self, SceneError> {
+        let mut changed = Self {
+            root: self.root.clone(),
+            name: self.name.clone(),
+            files: Rc::clone(&self.files),
+        };
         for set in sets {
-            set::apply(&mut root, &Set::argument(set))?;
+            changed.set(&Set::argument(set))?;
         }
-        scene(&root, &self.name, &self.files)
+        Ok(changed)
     }
 
     /// Every file that was opened for it up to now, with what it is to the scene: its own, meshes,
