@@ -343,8 +343,8 @@ fn usage_of(name: &str) -> wgpu::BufferUsages {
     let kind = match (name, role) {
         ("frame", _) => Usage::UNIFORM | Usage::COPY_DST,
         (
-            "spread_counts" | "winds" | "lamps" | "counts" | "surface_light" | "stroke_light"
-            | "shade_box",
+            "spread_counts" | "winds" | "lamps" | "counts" | "tree_counts" | "surface_light"
+            | "stroke_light" | "shade_box",
             _,
         ) => Usage::UNIFORM | Usage::STORAGE | Usage::COPY_DST,
         // Vertices, for callers who draw particles themselves.

@@ -69,8 +69,6 @@ var<immediate> which: Which;
 
 // Farther than anything, squared.
 const FAR_SQUARED: f32 = 1e30f;
-// Rows of cells that one can be in reach of along an axis, as a rule.
-const ROW_SLOTS: i32 = 3i;
 
 // Who looks, at whom and how.
 struct View {
@@ -256,8 +254,9 @@ fn look(view: View) -> Perceived {
             nearest[slot] = vec3<u32>(0xffffffffu);
         }
     }
-    let slots_y = max(along_y.count, ROW_SLOTS);
-    let slots_z = select(max(along_z.count, ROW_SLOTS), 1i, other.grid.z == 1u);
+    // Three rows are in reach along an axis, but at the ends of the grid.
+    let slots_y = max(along_y.count, 3i);
+    let slots_z = select(max(along_z.count, 3i), 1i, other.grid.z == 1u);
     for (var row = slots_y * slots_z; row > 0i; row -= 1i) {
         let y = nth_row(row % slots_y, along_y.first, slots_y);
         let z = nth_row(row / slots_y, along_z.first, slots_z);

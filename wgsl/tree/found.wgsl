@@ -30,7 +30,7 @@ const MESHES: bool = #{MESHES};
 @group(0) @binding(3) var<storage, read> broods: array<Brood>;
 @group(0) @binding(4) var<storage, read> system_offsets: array<u32>;
 @group(0) @binding(5) var<storage, read> free_slots: array<u32>;
-@group(0) @binding(6) var<storage, read> tree_counts: Counts;
+@group(0) @binding(6) var<uniform> tree_counts: Counts;
 @group(0) @binding(7) var<storage, read_write> nodes: array<Node>;
 @group(0) @binding(8) var<storage, read> mesh_faces: array<vec4<f32>>;
 @group(0) @binding(9) var<storage, read> mesh_choices: array<vec2<u32>>;
