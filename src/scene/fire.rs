@@ -92,7 +92,7 @@ pub enum FlameForm {
     Particles,
     /// A strip through them, textured by a slice through noise.
     Strip,
-    /// A line through them: a narrow strip with no texture, quick to draw (4.7).
+    /// A line through them: a narrow strip with no texture (4.7).
     Line,
 }
 

@@ -36,7 +36,7 @@ pub const FIRE: &[Field] = &[
     default("details", whole(0, 4), "0", "octaves", "smaller particles beside the way of each flame: in each octave half as large and twice as many", "Perry 4.1"),
     keyed(default("detail_spread", numbers(1, 0.0, 100.0), "1", "a share of the width", "how far noise carries them off", "Perry 4.1")),
     keyed(default("detail_alpha", numbers(1, 0.0, 100.0), "0.5", "a share of the opacity", "how opaque they are", "Perry 4.1")),
-    default("form", Kind::Choice(&["particles", "strip", "line"]), "\"particles\"", "", "what is drawn along a flame: the particle at each of its 25 places, or a strip through them that faces the viewer, textured in every frame by a slice through noise; or a line through them, with no texture, quick to draw", "Perry 4.2"),
+    default("form", Kind::Choice(&["particles", "strip", "line"]), "\"particles\"", "", "what is drawn along a flame: the particle at each of its 25 places, or a strip through them that faces the viewer, textured in every frame by a slice through noise; or a line through them, with no texture", "Perry 4.2"),
     default("strip_cells", numbers(2, 0.0, 1e3), "[2, 5]", "noise cells", "of a strip's texture, over the width and along the flame", "Perry 4.2"),
     keyed(default("strip_contrast", numbers(1, 0.0, 10.0), "0.6", "a share of the half-width", "how far noise eats into a strip's edges, more the higher above the root", "Perry 4.2")),
     default("particle_matrix", numbers(4, -100.0, 100.0), "[1, 0, 0, 1]", "two rows", "what each particle is multiplied by when it faces the viewer, x to the right and y up; not singular", "Perry 3.2.1"),
