@@ -141,6 +141,14 @@ fn off(pairs: &[Pair]) -> ([f64; 3], f64, f64) {
     (shares, worst, mean)
 }
 
+/// The light that was gathered is that of all particles, as nearly as it is said to be.
+fn assert_is_the_sum(pairs: &[Pair]) {
+    let (shares, worst, mean) = off(pairs);
+    println!("sums are off by {shares:?}, pixels by {worst} at most, {mean} in the mean");
+    assert!(shares.iter().all(|share| share.abs() < 0.05), "{shares:?}");
+    assert!(worst < 0.25 && mean < 0.025, "{worst}, {mean}");
+}
+
 #[test]
 fn r65_light_of_particles_on_the_ground_is_the_sum_over_all_of_them() {
     let (particles, ground) = run(&scene_of("light = 1", GROUND), "ground_pixels");
@@ -155,10 +163,7 @@ fn r65_light_of_particles_on_the_ground_is_the_sum_over_all_of_them() {
             ([red, green, blue].map(|part| part / 0.5), wanted)
         })
         .collect();
-    let (shares, worst, mean) = off(&pairs);
-    println!("sums are off by {shares:?}, pixels by {worst} at most, {mean} in the mean");
-    assert!(shares.iter().all(|share| share.abs() < 0.05), "{shares:?}");
-    assert!(worst < 0.25 && mean < 0.025, "{worst}, {mean}");
+    assert_is_the_sum(&pairs);
 }
 
 #[test]
@@ -182,10 +187,7 @@ fn r65_light_of_particles_on_a_planet_is_the_sum_over_all_of_them() {
         pairs.push(([red, green, blue].map(|part| part / 0.5), wanted));
     }
     assert!(pairs.len() > 500);
-    let (shares, worst, mean) = off(&pairs);
-    println!("sums are off by {shares:?}, pixels by {worst} at most, {mean} in the mean");
-    assert!(shares.iter().all(|share| share.abs() < 0.05), "{shares:?}");
-    assert!(worst < 0.25 && mean < 0.025, "{worst}, {mean}");
+    assert_is_the_sum(&pairs);
 }
 
 #[test]
@@ -204,10 +206,7 @@ fn r65_light_of_particles_on_a_surface_is_the_sum_over_all_of_them() {
             ([red, green, blue].map(|part| part / 0.5), wanted)
         })
         .collect();
-    let (shares, worst, mean) = off(&pairs);
-    println!("sums are off by {shares:?}, pixels by {worst} at most, {mean} in the mean");
-    assert!(shares.iter().all(|share| share.abs() < 0.05), "{shares:?}");
-    assert!(worst < 0.25 && mean < 0.025, "{worst}, {mean}");
+    assert_is_the_sum(&pairs);
 }
 
 /// How the built-in plane has to turn to face y.

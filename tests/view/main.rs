@@ -14,7 +14,7 @@ use std::time::Duration;
 
 use motes::gpu::GpuDevice;
 use motes::recording::Recording;
-use motes::scene::{KnobValue, Loader};
+use motes::scene::{KnobValue, Loader, Scene};
 use motes::view::{self, Session, Source};
 use motes::{AdapterChoice, Options, Simulation, wgpu};
 
@@ -61,6 +61,36 @@ fn digest(session: &mut Session) -> u64 {
     session.simulation().state_digest().expect("it is told")
 }
 
+/// A session that was saved, and the same run on the processor, made of what was saved alone.
+struct Saved {
+    recording: Recording,
+    scene: Scene,
+    options: Options,
+    replay: Simulation,
+}
+
+fn saved(folder: &tempfile::TempDir, session: &Session) -> Saved {
+    let saved = folder.path().join("mine.toml");
+    let inputs = session.save_as(&saved).expect("it is saved");
+    let text = std::fs::read_to_string(&inputs).expect("it is there");
+    let recording = Recording::parse(&text, "mine.inputs").expect("it is a recording");
+    let saved = saved.display().to_string();
+    let scene = Loader::default().load(&saved).expect("it is a scene");
+    let options = Options {
+        adapter: AdapterChoice::Cpu,
+        turns: recording.turns(&saved, &[]).expect("they fit"),
+        ..Options::default()
+    };
+    let mut replay = Simulation::new(&scene, &options).expect("it begins");
+    replay.seek(session.frame()).expect("it steps");
+    Saved {
+        recording,
+        scene,
+        options,
+        replay,
+    }
+}
+
 #[test]
 fn what_was_played_is_replayed_bit_for_bit() {
     let (folder, mut session) = session();
@@ -76,22 +106,14 @@ fn what_was_played_is_replayed_bit_for_bit() {
         .turn("system.jet.speed.mean", "0.2")
         .expect("it turns");
     steps(&mut session, 9);
-    let saved = folder.path().join("mine.toml");
-    let inputs = session.save_as(&saved).expect("it is saved");
-    let text = std::fs::read_to_string(&inputs).expect("it is there");
-    let recording = Recording::parse(&text, "mine.inputs").expect("it is a recording");
+    let Saved {
+        recording,
+        scene,
+        options,
+        mut replay,
+    } = saved(&folder, &session);
     assert_eq!(&recording, session.recording());
     assert_eq!(recording.changes.len(), 3);
-
-    let saved = saved.display().to_string();
-    let scene = Loader::default().load(&saved).expect("it is a scene");
-    let options = Options {
-        adapter: AdapterChoice::Cpu,
-        turns: recording.turns(&saved, &[]).expect("they fit"),
-        ..Options::default()
-    };
-    let mut replay = Simulation::new(&scene, &options).expect("it begins");
-    replay.seek(session.frame()).expect("it steps");
     assert_eq!(
         replay.state_digest().expect("it is told"),
         digest(&mut session)

@@ -126,19 +126,7 @@ fn what_was_lit_by_hand_is_replayed_bit_for_bit() {
         .expect("it turns");
     click(&mut session, 32.5);
     steps(&mut session, 9);
-    let saved = folder.path().join("mine.toml");
-    let inputs = session.save_as(&saved).expect("it is saved");
-    let text = std::fs::read_to_string(&inputs).expect("it is there");
-    let recording = Recording::parse(&text, "mine.inputs").expect("it is a recording");
-    let saved = saved.display().to_string();
-    let scene = Loader::default().load(&saved).expect("it is a scene");
-    let options = Options {
-        adapter: AdapterChoice::Cpu,
-        turns: recording.turns(&saved, &[]).expect("they fit"),
-        ..Options::default()
-    };
-    let mut replay = Simulation::new(&scene, &options).expect("it begins");
-    replay.seek(session.frame()).expect("it steps");
+    let Saved { mut replay, .. } = saved(&folder, &session);
     assert_eq!(replay.state_digest().expect("told"), digest(&mut session));
     let rings = |points: Vec<motes::simulation::PointState>| points.iter().map(|it| it.ring).max();
     assert_eq!(rings(replay.control_points().expect("told")), Some(3));
