@@ -6,8 +6,7 @@ use super::lane::Lane;
 use super::splats::SIZE_PX;
 use super::target::Target;
 use crate::layout::FLAME_STEPS;
-use crate::plan::{FrameInputs, Plan};
-use crate::scene;
+use crate::plan::FrameInputs;
 
 /// Pixels of the half-axes of the ellipse that flames stand in.
 pub(super) const FIELD_PX: [f64; 2] = [500.0, 353.553];
@@ -114,14 +113,7 @@ brightness = 0.1
         target: &Target,
         particles: u32,
     ) -> Result<(Lane, FrameInputs), BenchError> {
-        let parsed = scene::parse(&self.scene(particles), "flames", self.name);
-        let scene = parsed.map_err(|e| BenchError::input(e.to_string(), "fewer particles"))?;
-        let plan = Plan::new(&scene, 1)?;
-        let mut lane = Lane::start(target, &plan)?;
-        let inputs = plan.inputs(0);
-        lane.backend().step(&inputs)?;
-        lane.statistics()?;
-        Ok((lane, inputs))
+        Lane::stepped_once(target, &self.scene(particles), ("flames", self.name))
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use super::error::BenchError;
 use super::record::Part;
 use super::spread::Clock;
 use super::target::Target;
@@ -15,6 +16,7 @@ use crate::layout::{
     FrameStats,
 };
 use crate::plan::{FrameInputs, Plan, STAGES, Stage};
+use crate::scene;
 
 /// A run under measurement.
 pub(super) struct Lane {
@@ -61,6 +63,23 @@ fn ms_since(begun: Instant) -> f64 {
 }
 
 impl Lane {
+    /// A run of a scene, told by its text, the text's name and the scene's, that has stepped once; and what
+    /// to draw it with.
+    pub(super) fn stepped_once(
+        target: &Target,
+        text: &str,
+        (file, name): (&str, &str),
+    ) -> Result<(Self, FrameInputs), BenchError> {
+        let parsed = scene::parse(text, file, name);
+        let scene = parsed.map_err(|e| BenchError::input(e.to_string(), "fewer particles"))?;
+        let plan = Plan::new(&scene, 1)?;
+        let mut lane = Self::start(target, &plan)?;
+        let inputs = plan.inputs(0);
+        lane.backend().step(&inputs)?;
+        lane.statistics()?;
+        Ok((lane, inputs))
+    }
+
     /// An empty run.
     pub(super) fn start(target: &Target, plan: &Plan) -> Result<Self, BackendError> {
         let backend = match target {

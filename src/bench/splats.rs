@@ -5,8 +5,7 @@ use super::lane::Lane;
 use super::target::Target;
 use crate::cpu::disc::reach_of;
 use crate::cpu::reach::edged_radius;
-use crate::plan::{FrameInputs, Plan};
-use crate::scene;
+use crate::plan::FrameInputs;
 
 /// Pixels across and down, as the shapes' tables assume.
 pub(super) const SIZE_PX: [u32; 2] = [1280, 720];
@@ -118,15 +117,7 @@ particle_shape = \"{kind}\"
         target: &Target,
         particles: u32,
     ) -> Result<(Lane, FrameInputs), BenchError> {
-        let text = self.scene(particles);
-        let parsed = scene::parse(&text, "splats", self.name);
-        let scene = parsed.map_err(|e| BenchError::input(e.to_string(), "fewer particles"))?;
-        let plan = Plan::new(&scene, 1)?;
-        let mut lane = Lane::start(target, &plan)?;
-        let inputs = plan.inputs(0);
-        lane.backend().step(&inputs)?;
-        lane.statistics()?;
-        Ok((lane, inputs))
+        Lane::stepped_once(target, &self.scene(particles), ("splats", self.name))
     }
 }
 
