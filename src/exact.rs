@@ -207,6 +207,13 @@ pub fn limbs3(v: Vec3) -> Limbs3 {
     }
 }
 
+/// The low 22 bits of a whole number below 2^22 of either sign, under bits that say nothing: beside
+/// 1.5 * 2^23 floats are 1 apart.
+#[inline]
+pub fn low_bits(whole: f32) -> u32 {
+    (whole + FINE_ORIGIN).to_bits()
+}
+
 /// The largest integer that is not above `x`, clamped to 0 ..= 2^30; NaN gives 0.
 #[inline]
 pub fn to_u32(x: f32) -> u32 {

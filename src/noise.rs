@@ -4,7 +4,7 @@
 
 use glam::{Vec3, Vec4};
 
-use crate::exact::{at_least_zero, floor_exact, less, shared_constants, to_i32};
+use crate::exact::{at_least_zero, floor_exact, less, low_bits, shared_constants};
 
 shared_constants! {
     /// Simplices a unit.
@@ -86,9 +86,9 @@ pub fn noise(p: Vec3, key: u32) -> Vec4 {
     );
     let unskew = (cell.x + cell.y + cell.z) * UNSKEW;
     let d = q - (cell - Vec3::splat(unskew));
-    let x = to_i32(cell.x).cast_unsigned();
-    let y = to_i32(cell.y).cast_unsigned();
-    let z = to_i32(cell.z).cast_unsigned();
+    let x = low_bits(cell.x);
+    let y = low_bits(cell.y);
+    let z = low_bits(cell.z);
     // The axes in descending order of d are those that the corners are reached by.
     let x_over_y = !less(d.x, d.y);
     let y_over_z = !less(d.y, d.z);

@@ -100,6 +100,18 @@ fn comparisons_agree_with_those_of_snapped_numbers() {
 }
 
 #[test]
+fn low_bits_are_those_of_whole_numbers() {
+    const HELD: u32 = (1 << 22) - 1;
+    for whole in (-4_194_303..=4_194_303)
+        .step_by(37)
+        .chain([0, -1, 1, 4095, -4096])
+    {
+        let low = low_bits(whole as f32) & HELD;
+        assert_eq!(low, whole.cast_unsigned() & HELD, "{whole}");
+    }
+}
+
+#[test]
 fn to_i32_floors_and_clamps_whatever_it_is_given() {
     for x in awkward() {
         let want = if x.is_nan() || x.abs() < power(-40) {

@@ -81,6 +81,22 @@ fn few_systems_are_the_same() {
 }
 
 #[test]
+fn systems_on_their_way_to_the_origin_are_blown_where_they_are() {
+    for (from, to) in [("[-3, 1, 2]", "[0, 0, 0]"), ("[0, 0, 0]", "[0, 2, 0]")] {
+        let scene = scene_of(&format!(
+            "capacity = 400\n[image]\nwidth = 64\nheight = 36\n[camera]\nposition = [0, 0, 9]\n\
+             target = [0, 0, 0]\n[[wind]]\nkind = \"vortex\"\nspeed = 0.4\nradius = 1\n\
+             position = [0, 0, 0]\naxis = [0, 0, 1]\n[[system]]\nname = \"s\"\n\
+             initial_mean_parts = 30\nspeed = 0.02\nlifetime = 5\nsize = 0.1\ndrag = 0.4\n\
+             generation_shape = {{ kind = \"sphere\", radius = 0.5 }}\ncolor = {{ mean = [1, 1, 1] }}\n\
+             position = {{ keys = [[0, {from}], [7, {to}]] }}\n"
+        ));
+        let plan = Plan::new(&scene, 10).expect("the scene can be planned");
+        assert_twins(&plan, &frames_of(&plan, 10), &small_pages());
+    }
+}
+
+#[test]
 fn births_on_meshes_are_the_same() {
     let scene = born_on_meshes();
     let plan = Plan::new(&scene, 4).expect("the scene can be planned");

@@ -46,12 +46,12 @@ pub fn check_binding(binding: &Binding) -> Result<(), String> {
         .strip_prefix("atomic<")
         .and_then(|inner| inner.strip_suffix('>'))
         .unwrap_or(&shape.type_name);
-    // Words may be looked at four at a time: buffers hold whole fours.
-    let in_fours = matches!(
+    // Words may be looked at four at a time: buffers hold whole fours. Two may be one of 64 bits.
+    let in_other_words = matches!(
         (*record, type_name),
-        ("u32", "vec4<u32>") | ("u64" | "Particle" | "Boid", "vec4<u64>")
+        ("u32", "vec4<u32>") | ("u64" | "Particle" | "Boid", "vec4<u64>") | ("vec2<u32>", "u64")
     ) && shape.runtime_array;
-    if !in_fours && (type_name != *record || shape.stride != *stride) {
+    if !in_other_words && (type_name != *record || shape.stride != *stride) {
         return Err(format!(
             "{place}: `{name}` holds {record} of {stride} bytes, not {type_name} of {} bytes",
             shape.stride

@@ -320,11 +320,16 @@ impl Plan {
         Ok(plan)
     }
 
-    /// What any frame uses: all features grow with the numbers that they are asked for by.
+    /// What any frame uses: features grow with the numbers that they are asked for by, but for places,
+    /// whose greatest may be the world's origin.
     fn uses_of_all(&self) -> Uses {
         let of = |(from, scene): &(i32, Scene)| {
             let greatest = scene.greatest();
-            Uses::of(&inputs::frame_inputs(self, &greatest, *from))
+            let uses = Uses::of(&inputs::frame_inputs(self, &greatest, *from));
+            Uses {
+                placed: uses.placed || uses.drags && system::may_move(scene),
+                ..uses
+            }
         };
         self.variants
             .iter()

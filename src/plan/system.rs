@@ -11,8 +11,8 @@ use crate::layout::{self, Bound, SystemFrame, SystemRow};
 use crate::rng::pcg4d;
 use crate::scene::{
     BirthMoment, BirthRounding, BirthUnit, Blend, EjectionAxis, EjectionSpread, Extinction,
-    GenerationShape, Integration, Intensity, ParticleShape, ParticleSpace, Shading, Side,
-    StreakLight, System,
+    GenerationShape, Integration, Intensity, Owner, ParticleShape, ParticleSpace, Scene, Shading,
+    Side, StreakLight, System,
 };
 use crate::transcendental::{cos_turns, sin_turns};
 
@@ -23,7 +23,7 @@ const KEY_TAG: u32 = 0x6b65_7973;
 const UNLIMITED_FRAMES: f32 = 65_500.0;
 
 /// The rows of the 3 x 4 identity.
-const IDENTITY: [[f32; 4]; 3] = [
+pub(super) const IDENTITY: [[f32; 4]; 3] = [
     [1.0, 0.0, 0.0, 0.0],
     [0.0, 1.0, 0.0, 0.0],
     [0.0, 0.0, 1.0, 0.0],
@@ -107,6 +107,13 @@ pub(super) fn pose_of([x, y, z]: [f32; 3], rotation_degrees: [f32; 2]) -> [[f32;
         [0.0, cx, -sx, y].map(snap),
         [-sy, cy * sx, cy * cx, z].map(snap),
     ]
+}
+
+/// Whether some system carries its particles along while it has keys.
+pub(super) fn may_move(scene: &Scene) -> bool {
+    let carries = |at: usize| scene.systems[at].particle_space == ParticleSpace::System;
+    let mut tracks = scene.tracks.iter();
+    tracks.any(|track| matches!(track.owner, Owner::System(at) if carries(at)))
 }
 
 /// A world vector in the space whose rows lead to the world: a rotation's inverse is its transpose.

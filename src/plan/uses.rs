@@ -1,6 +1,7 @@
 //! Which features a plan has: kernels leave out what it has none of.
 
 use super::FrameInputs;
+use super::system::IDENTITY;
 use crate::layout::{
     BOID_CONE, BOID_TRIANGLE, EDGES_TORUS, FIRE_STRIP, FireFrame, FlockFrame, GRAIN_NONE,
     OBSTACLE_MESH, Obstacle, PARTICLE_RECTANGLE, PARTICLE_STREAK, PARTICLE_STROKE, ROW_OVER,
@@ -57,6 +58,10 @@ uses! {
     noises "NOISES";
     /// Noise of more than one octave.
     octaves "OCTAVES";
+    /// Noise whose octaves count by their absolute value.
+    folds "FOLDS";
+    /// Systems with drag that are turned, scaled or away from the world's origin.
+    placed "PLACED";
     /// Wind that is a product of two gradients.
     curls "CURLS";
     /// Particles drawn as streaks.
@@ -133,6 +138,15 @@ fn has_matrix(fire: &FireFrame) -> bool {
 
 fn is_strip(fire: &FireFrame) -> bool {
     fire.kinds[3] & FIRE_STRIP != 0
+}
+
+fn is_placed(system: &SystemFrame) -> bool {
+    let [x, y, z] = [
+        system.world_from_system_x,
+        system.world_from_system_y,
+        system.world_from_system_z,
+    ];
+    [x, y, z] != IDENTITY
 }
 
 fn is_solid(obstacle: &Obstacle) -> bool {
@@ -216,6 +230,8 @@ impl Uses {
                 .unwrap_or(0)
         };
         let own = Self {
+            // Those that are borne are anywhere.
+            placed: !inputs.poses.is_empty(),
             planet: !inputs.planets.is_empty(),
             details: inputs.fires.iter().any(|fire| fire.details[0] > 0.0),
             skews: inputs.fires.iter().any(has_matrix),
@@ -284,6 +300,7 @@ impl Uses {
         Self {
             bounds: system.bound_count > 0,
             drags: system.acceleration[3] != 0.0,
+            placed: system.acceleration[3] != 0.0 && is_placed(system),
             ..Self::default()
         }
     }
@@ -293,6 +310,7 @@ impl Uses {
             flows: matches!(wind.kinds[0], WIND_VORTEX | WIND_SOURCE | WIND_ATTRACTOR),
             noises: wind.kinds[1] > 0,
             octaves: wind.kinds[1] > 1,
+            folds: wind.kinds[3] == 1,
             curls: wind.kinds[0] == WIND_CURL,
             ..Self::default()
         }

@@ -60,7 +60,7 @@ pub(crate) fn adversarial(seed: u32, first: u32, count: u32) -> (Plan, Vec<Frame
             format!(
                 "[[system]]\nname = \"s{slot}\"\ninitial_mean_parts = 1\nspeed = 1\n\
                  generation_shape = {{ kind = \"sphere\", radius = 1 }}\nlifetime = 7\n\
-                 color = {{ mean = [1, 1, 1], rate_var = [1, 1, 1] }}\nsize = 1\n\
+                 position = [0, 1, 0]\ncolor = {{ mean = [1, 1, 1], rate_var = [1, 1, 1] }}\nsize = 1\n\
                  particle_shape = \"{shape}\"\nintensity_threshold = 0.1\ndrag = 0.5\n\
                  integration = \"parabola\"\nlight_distance = 1\nblend = \"over\"\n[[system.extinction]]\n\
                  kind = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\nkills = \"inside\"\n"
@@ -80,7 +80,7 @@ pub(crate) fn adversarial(seed: u32, first: u32, count: u32) -> (Plan, Vec<Frame
     let scene = scene_of(&format!(
         "capacity = 2600\n[image]\nwidth = 96\nheight = 54\n[camera]\nposition = [0, 0, 5]\n\
          target = [0, 0, 0]\n[[layer]]\nname = \"a\"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\n\
-         [[wind]]\nkind = \"noise\"\nstrength = 1\n\
+         [[wind]]\nkind = \"noise\"\nstrength = 1\nabsolute = true\n\
          [[wind]]\nkind = \"vortex\"\nspeed = 1\nradius = 1\nposition = [0, 0, 0]\naxis = [0, 0, 1]\n\
          [[wind]]\nkind = \"curl\"\nstrength = 1\noctaves = 2\n{systems}"
     ));

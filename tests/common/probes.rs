@@ -79,6 +79,7 @@ pub(crate) static PROBES: &[ProbeKernel] = &[
         ("u32(to_i32(c))", |r| to_i32(r.c).cast_unsigned()),
         ("to_u32(f)", |r| to_i32(r.f()).max(0).cast_unsigned()),
         ("to_u32(c)", |r| to_u32(r.c)),
+        ("low_bits(floor_exact(c))", |r| low_bits(floor_exact(r.c))),
         ("u32(limbs3(abc).coarse.x)", |r| limbs3(r.abc()).coarse.x.cast_unsigned()),
         ("u32(limbs3(abc).coarse.z)", |r| limbs3(r.abc()).coarse.z.cast_unsigned()),
         ("u32(limbs3(cdd * 65536.0f).coarse.y)", |r| limbs3(r.cdd() * 65_536.0).coarse.y.cast_unsigned()),
@@ -276,7 +277,7 @@ impl ProbeKernel {
             "#import motes::exact::{{at_least_zero, bits_of, clamp3, clamp_exact, clamp_unit, cross3, dot3, f32_of_i32, \
              f32_of_u32, floor_exact, inverse_square_root, length3, less, less_equal, limbs3, max3, \
              max_exact, min3, min_exact, normalize_exact, reciprocal, snap, snap2, snap3, snap4, \
-             square_root, to_i32, to_u32}}
+             square_root, to_i32, to_u32, low_bits}}
 {}
 @group(0) @binding(0) var<storage, read> input: array<vec4<u32>>;
 @group(0) @binding(1) var<storage, read_write> output: array<u32>;

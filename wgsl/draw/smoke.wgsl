@@ -27,6 +27,7 @@ const MANY_WINDS: bool = #{MANY_WINDS};
 const FLOWS: bool = #{FLOWS};
 const NOISES: bool = #{NOISES};
 const OCTAVES: bool = #{OCTAVES};
+const FOLDS: bool = #{FOLDS};
 const CURLS: bool = #{CURLS};
 // Steps of its way, and the inverse of their number.
 const PUFF_STEPS: u32 = 16u;
@@ -52,7 +53,7 @@ var<immediate> work: Work;
 // w_L at the place `p`.
 fn large_wind(p: vec3<f32>) -> vec3<f32> {
     var flow = vec3<f32>(0.0f);
-    let has = Kinds(FLOWS, NOISES, OCTAVES, CURLS);
+    let has = Kinds(FLOWS, NOISES, OCTAVES, FOLDS, CURLS);
     if MANY_WINDS {
         for (var at = 0u; at < frame.wind_count; at += 1u) {
             flow += wind_of(winds[at], p, has);

@@ -43,6 +43,7 @@ const MANY_WINDS: bool = #{MANY_WINDS};
 const FLOWS: bool = #{FLOWS};
 const NOISES: bool = #{NOISES};
 const OCTAVES: bool = #{OCTAVES};
+const FOLDS: bool = #{FOLDS};
 const CURLS: bool = #{CURLS};
 // Whether any flock has trails.
 const TRAILS: bool = #{TRAILS};
@@ -299,7 +300,7 @@ fn look(view: View) -> Perceived {
 // without depth.
 fn dragged(flock: FlockFrame, lone_wind: Wind, motion: Motion) -> vec3<f32> {
     var flow = vec3<f32>(0.0f);
-    let has = Kinds(FLOWS, NOISES, OCTAVES, CURLS);
+    let has = Kinds(FLOWS, NOISES, OCTAVES, FOLDS, CURLS);
     if MANY_WINDS {
         for (var at = 0u; at < frame.wind_count; at += 1u) {
             flow += wind_of(winds[at], motion.position, has);

@@ -132,6 +132,12 @@ fn limbs3(v: vec3f) -> Limbs3 {
     );
 }
 
+// The low 22 bits of a whole number below 2^22 of either sign, under bits that say nothing: beside
+// 1.5 * 2^23 floats are 1 apart. Far fewer operations than to_i32, for a hash that masks them.
+fn low_bits(whole: f32) -> u32 {
+    return bitcast<u32>(whole + FINE_ORIGIN);
+}
+
 // i clamped to -2^24 ..= 2^24, where every integer has its float.
 fn f32_of_i32(i: i32) -> f32 {
     let raised = select(i, -i32(EXACT_INTEGER_LIMIT), i < -i32(EXACT_INTEGER_LIMIT));

@@ -9,7 +9,7 @@
 // Reads and writes no buffers. Invariant: exact on every driver; twin of src/noise.rs.
 #define_import_path motes::noise
 
-#import motes::exact::{at_least_zero, floor_exact, less, to_i32}
+#import motes::exact::{at_least_zero, floor_exact, less, low_bits}
 
 // Simplices a unit.
 const CELLS_PER_UNIT: f32 = 0.5f;
@@ -74,9 +74,9 @@ fn noise(p: vec3<f32>, key: u32) -> vec4<f32> {
     let cell = vec3<f32>(floor_exact(skewed.x), floor_exact(skewed.y), floor_exact(skewed.z));
     let unskew = (cell.x + cell.y + cell.z) * UNSKEW;
     let d = q - (cell - unskew);
-    let x = u32(to_i32(cell.x));
-    let y = u32(to_i32(cell.y));
-    let z = u32(to_i32(cell.z));
+    let x = low_bits(cell.x);
+    let y = low_bits(cell.y);
+    let z = low_bits(cell.z);
     let here = hash_share(x, y, z);
     let beyond = hash_share(x + 1u, y + 1u, z + 1u);
     // The axes in descending order of d are those that the corners are reached by.

@@ -30,20 +30,25 @@ fn in_noise(wind: Wind, p: vec3<f32>) -> vec3<f32> {
 }
 
 // The gradient of one octave, `weight` times, at a place of the noise.
-fn octave_at(wind: Wind, at: vec3<f32>, key: u32, weight: f32) -> vec3<f32> {
+fn octave_at(wind: Wind, at: vec3<f32>, key: u32, weight: f32, folds: bool) -> vec3<f32> {
     let sample = noise(at, key);
-    let folded = wind.kinds.w == 1u && less(sample.w, 0.0f);
+    if !folds {
+        return sample.xyz * weight;
+    }
+    let folded = (wind.kinds.w == 1u) & less(sample.w, 0.0f);
     return sample.xyz * select(weight, -weight, folded);
 }
 
 // The gradient of `octaves` octaves of noise at the world place `p`.
-fn turbulence(wind: Wind, p: vec3<f32>, octaves: u32, first_key: u32) -> vec3<f32> {
+fn turbulence(
+    wind: Wind, p: vec3<f32>, octaves: u32, first_key: u32, folds: bool,
+) -> vec3<f32> {
     var at = in_noise(wind, p);
     var key = first_key;
     var weight = 1.0f;
     var sum = vec3<f32>(0.0f);
     for (var octave = 0u; octave < octaves; octave += 1u) {
-        sum += octave_at(wind, at, key, weight);
+        sum += octave_at(wind, at, key, weight, folds);
         at = at * 2.0f;
         weight *= wind.scale.w;
         key += OCTAVE_KEY;
@@ -52,20 +57,21 @@ fn turbulence(wind: Wind, p: vec3<f32>, octaves: u32, first_key: u32) -> vec3<f3
 }
 
 // What parts of the wind there are: flows around or out of a place, noises, noises of more than
-// one octave, curls.
+// one octave, of absolute values, curls.
 struct Kinds {
     flows: bool,
     noises: bool,
     octaves: bool,
+    folds: bool,
     curls: bool,
 }
 
 // As turbulence, of at most one octave where there are no more: loops are slow on software drivers.
-fn gradient(wind: Wind, p: vec3<f32>, count: u32, key: u32, octaves: bool) -> vec3<f32> {
-    if octaves {
-        return turbulence(wind, p, count, key);
+fn gradient(wind: Wind, p: vec3<f32>, count: u32, key: u32, has: Kinds) -> vec3<f32> {
+    if has.octaves {
+        return turbulence(wind, p, count, key, has.folds);
     }
-    return octave_at(wind, in_noise(wind, p), key, 1.0f);
+    return octave_at(wind, in_noise(wind, p), key, 1.0f, has.folds);
 }
 
 // What a flow around or out of a place adds at the world place `p`; else what is the same everywhere.
@@ -97,12 +103,12 @@ fn wind_of(wind: Wind, p: vec3<f32>, has: Kinds) -> vec3<f32> {
     if !has.noises {
         return flow;
     }
-    let first = gradient(wind, p, wind.kinds.y, wind.kinds.z, has.octaves);
+    let first = gradient(wind, p, wind.kinds.y, wind.kinds.z, has);
     flow = select(flow, first * strength, kind == WIND_NOISE);
     if has.curls {
         let second_octaves = select(0u, wind.kinds.y, kind == WIND_CURL);
         let second_key = wind.kinds.z ^ CURL_KEY;
-        let second = gradient(wind, p, second_octaves, second_key, has.octaves);
+        let second = gradient(wind, p, second_octaves, second_key, has);
         let curl = cross3(first, second);
         let weights = wind.place.xyz;
         let swirling = vec3<f32>(curl.x * weights.x, curl.y * weights.y, curl.z * weights.z);

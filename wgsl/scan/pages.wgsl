@@ -25,6 +25,22 @@ fn survivors_before(at: u32) -> u32 {
     return word_ranks[at / 32u].x;
 }
 
+// Particles of the page from `start` on, `present` of them, up to the word with the last of those that
+// go before place `end` of the other pool: those after it have no business with that target.
+fn reaching(start: u32, present: u32, end: u32) -> u32 {
+    var low = 0u;
+    var high = (present + 31u) / 32u;
+    while low < high {
+        let middle = (low + high) / 2u;
+        if survivors_before(start + 32u * middle) < end {
+            low = middle + 1u;
+        } else {
+            high = middle;
+        }
+    }
+    return min(32u * low, present);
+}
+
 @compute @workgroup_size(1)
 fn pages() {
     let splats = 2u + 2u * frame.page_count;
@@ -37,7 +53,10 @@ fn pages() {
         for (var target_page = 0u; target_page <= source; target_page += 1u) {
             let target_start = target_page * frame.page_len;
             let meets = first < target_start + frame.page_len && last > target_start;
-            let work = select(0u, present, meets && last > first);
+            var work = select(0u, present, meets && last > first);
+            if work > 0u && last > target_start + frame.page_len {
+                work = reaching(start, present, target_start + frame.page_len);
+            }
             let pair = source * (source + 1u) / 2u + target_page;
             dispatches[pairs + pair] = dispatch_for(work, WORKGROUP_SIZE);
         }

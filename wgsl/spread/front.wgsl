@@ -25,6 +25,7 @@ const MANY_WINDS: bool = #{MANY_WINDS};
 const FLOWS: bool = #{FLOWS};
 const NOISES: bool = #{NOISES};
 const OCTAVES: bool = #{OCTAVES};
+const FOLDS: bool = #{FOLDS};
 const CURLS: bool = #{CURLS};
 const GRAINS: bool = #{GRAINS};
 
@@ -78,7 +79,7 @@ fn wind_at(fire: FireFrame, position: vec3<f32>) -> vec3<f32> {
     let before = turned(x_before, y_before, z_before, position)
         + vec3<f32>(x_before.w, y_before.w, z_before.w);
     var flow = vec3<f32>(0.0f);
-    let has = Kinds(FLOWS, NOISES, OCTAVES, CURLS);
+    let has = Kinds(FLOWS, NOISES, OCTAVES, FOLDS, CURLS);
     if MANY_WINDS {
         for (var at = 0u; at < frame.wind_count; at += 1u) {
             flow += wind_of(winds[at], place, has);

@@ -58,6 +58,8 @@ pub(super) const SWITCHES: &[&str] = &[
     "FLOWS",
     "NOISES",
     "OCTAVES",
+    "FOLDS",
+    "PLACED",
     "CURLS",
     "STREAKS",
     "RECTANGLES",

@@ -34,7 +34,8 @@ fn flow(kind: u32, c: f32, d: f32, w: u32, i: u32) -> vec3<f32> {
     let flows = (kind > 0u && kind < 4u) || (w & 4u) == 0u;
     // One octave by either way.
     let many = wind.kinds.y != 1u || (w & 2u) == 0u;
-    return wind_of(wind, vec3<f32>(d, c, c * 0.25f), Kinds(flows, any, many, kind == 5u));
+    let folds = wind.kinds.w != 0u || (w & 8u) == 0u;
+    return wind_of(wind, vec3<f32>(d, c, c * 0.25f), Kinds(flows, any, many, folds, kind == 5u));
 }";
 
 pub(super) fn flow(r: &Arguments, kind: u32) -> Vec3 {
