@@ -102,7 +102,7 @@ fn comparisons_agree_with_those_of_snapped_numbers() {
 #[test]
 fn low_bits_are_those_of_whole_numbers() {
     const HELD: u32 = (1 << 22) - 1;
-    for whole in (-4_194_303..=4_194_303)
+    for whole in (-4_194_303i32..=4_194_303)
         .step_by(37)
         .chain([0, -1, 1, 4095, -4096])
     {

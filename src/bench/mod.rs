@@ -14,6 +14,7 @@
 //! | `spread.rs` | one quantity, measured many times: [`Spread`]; `groups.rs` sees a change of pace in it |
 //! | `file.rs` | records as files, [`read_records`] and [`write_records`] |
 //! | `merge.rs` | a sweep that was cut in pieces, as one record: [`merged()`] |
+//! | `fits.rs` | a sweep over counts as straight lines: [`fits()`] |
 //! | `readable.rs` | how their JSON is laid out |
 //! | `schema.json` | their JSON Schema, [`record_schema()`] |
 //! | `table.rs` | a record as text for a terminal: [`table`] |
@@ -28,6 +29,7 @@
 mod compare;
 mod csv;
 mod file;
+mod fits;
 mod groups;
 mod html;
 mod readable;
@@ -64,6 +66,7 @@ mod yard;
 pub use budget::Budget;
 pub use error::BenchError;
 pub use file::{RecordError, parse_records, read_records, records_json, write_records};
+pub use fits::{Fit, fits};
 pub use html::html;
 pub use job::Job;
 pub use merge::merged;
@@ -72,7 +75,7 @@ pub use record::{Measure, Part, Record, Run, SCHEMA};
 pub use run::{Progress, Watch, run};
 pub use session::{Request, measure};
 pub use spread::{Clock, OUTLIER_RULE, Outliers, Spread, percentile};
-pub use table::{COLUMNS, heading, micro_table, run_table, table};
+pub use table::{COLUMNS, heading, micro_table, run_table, sweep_tables, table};
 pub use target::Target;
 
 /// JSON Schema of the file that `motes bench --json` writes: a [`Record`], or several in an array.

@@ -1,12 +1,17 @@
 //! A record as text for a terminal, at most [`COLUMNS`] wide.
 
+use super::fits::{by_scene, fits};
 use super::record::{Measure, Part, Record, Run};
 use super::remarks;
 use super::spread::Spread;
 use super::units::{binary_bytes, digits, grouped, percent, prefixed, shortened};
+use crate::layout::FLAME_STEPS;
 
 /// No line is longer, characters.
 pub const COLUMNS: usize = 100;
+
+/// The pass that takes the wind along flames.
+const TRACE: &str = "flames/trace";
 
 /// Characters of a pass's name.
 const NAME: usize = 30;
@@ -19,6 +24,43 @@ pub fn table(record: &Record) -> String {
     }
     for run in &record.runs {
         text += &run_table(record, run);
+    }
+    text + &sweep_tables(record)
+}
+
+/// What scenes cost that were measured at three counts or more: `a` with nothing in it and so much each,
+/// over the whole sweep, and from one count to the next. Each with a blank line before.
+pub fn sweep_tables(record: &Record) -> String {
+    let mut text = String::new();
+    for (scene, runs) in by_scene(&record.runs) {
+        let fits = fits(&runs);
+        if fits.is_empty() {
+            continue;
+        }
+        let title = format!("{scene}, as a line over {} counts", runs.len());
+        text += &format!(
+            "\n{}\n{:<NAME$} {:>8} {:>9} {:>21} {:>9}\n",
+            shortened(&title, COLUMNS),
+            "pass",
+            "a, ms",
+            "ns each",
+            "from 10,000 on",
+            "apart"
+        );
+        for fit in &fits {
+            let indent = if fit.part.is_some() { "  " } else { "" };
+            let name = indent.to_owned() + &shortened(&fit.name, NAME - indent.len());
+            let steps = fit.steps_ns.map_or("-".to_owned(), |[least, most]| {
+                format!("{} .. {}", digits(least), digits(most))
+            });
+            let line = format!(
+                "{name:<NAME$} {:>8} {:>9} {steps:>21} {:>9}",
+                digits(fit.a_ms),
+                digits(fit.b_ns),
+                fit.strays().map_or_else(|| "-".to_owned(), percent)
+            );
+            text += &(line + "\n");
+        }
     }
     text
 }
@@ -168,9 +210,19 @@ fn flocking(run: &Run) -> String {
     shortened(&line, COLUMNS) + "\n"
 }
 
+/// Samples of the wind a second that flames take while they are traced.
+fn wind_samples_per_s(run: &Run) -> Option<f64> {
+    let traced = run.passes.iter().find(|pass| pass.name == TRACE)?;
+    let samples = traced.items as f64 * FLAME_STEPS as f64;
+    (samples > 0.0 && traced.ms.median > 0.0).then(|| samples / traced.ms.median * 1e3)
+}
+
 /// Rates and memory of a run.
 fn facts(run: &Run) -> String {
     let mut facts = Vec::new();
+    if let Some(rate) = wind_samples_per_s(run) {
+        facts.push(format!("{} wind samples/s in {TRACE}", prefixed(rate)));
+    }
     if let Some(rate) = run.particles_per_s() {
         facts.push(format!("{} particles/s", prefixed(rate)));
     }

@@ -12,7 +12,7 @@ use super::names::SceneName;
 use super::{CliError, note, print};
 use crate::bench::{self, BenchError, Budget, Progress, Record, Request, Target};
 use crate::output::{probe, write_whole};
-use crate::scene::{Loader, Scene};
+use crate::scene::{Loader, Scene, Set};
 use crate::simulation::AdapterChoice;
 
 /// What is measured where nobody says what.
@@ -51,6 +51,9 @@ pub(super) struct BenchArgs {
         default_value = "auto"
     )]
     adapter: String,
+    /// Change a key of all scenes, e.g. image.width=640
+    #[arg(long, value_name = "path.to.key=value")]
+    set: Vec<String>,
     /// Let scenes read files outside of their folders
     #[arg(long)]
     allow_outside: bool,
@@ -110,7 +113,7 @@ pub(super) fn run(args: &BenchArgs) -> Result<u8, CliError> {
     };
     let measured = bench::measure(&targets, &request, &mut watch);
     line.bar.finish_and_clear();
-    let records = match measured {
+    let mut records = match measured {
         Ok(records) => records,
         Err(BenchError::Stopped) => {
             note!("motes: stopped; nothing was written");
@@ -118,6 +121,11 @@ pub(super) fn run(args: &BenchArgs) -> Result<u8, CliError> {
         }
         Err(error) => return Err(error.into()),
     };
+    if !args.set.is_empty() {
+        for record in &mut records {
+            record.options.insert("set".to_owned(), args.set.join(" "));
+        }
+    }
     // First of all what cannot fail for want of room: it took long to measure.
     let texts: Vec<String> = records.iter().map(bench::table).collect();
     let printed = print(&texts.join("\n"));
@@ -193,8 +201,15 @@ fn request(args: &BenchArgs) -> Result<Request, CliError> {
         allow_outside: args.allow_outside,
     };
     let (mut scenes, mut inputs): (Vec<Scene>, _) = (Vec::new(), Vec::new());
+    let sets: Vec<Set> = args.set.iter().map(|set| Set::argument(set)).collect();
+    if asked.is_empty() && !sets.is_empty() {
+        return Err(CliError::usage(
+            "--set changes scenes, and none is measured".to_owned(),
+            "name a scene, e.g. motes bench million --micro --set image.width=640",
+        ));
+    }
     for name in &asked {
-        let draft = loader.draft(name, &[])?;
+        let draft = loader.draft(name, &sets)?;
         let scene = draft.scene()?;
         inputs.extend(draft.files());
         if scenes.iter().any(|other| other.name == scene.name) {
@@ -226,7 +241,7 @@ fn request(args: &BenchArgs) -> Result<Request, CliError> {
         Err((scene, BenchError::Plan(error))) => {
             let at = names.iter().position(|name| *name == scene);
             let file = at.map_or(&scene, |at| &asked[at]);
-            Err(CliError::of_plan(&error, loader, file, &[]))
+            Err(CliError::of_plan(&error, loader, file, &sets))
         }
         Err((_, error)) => Err(error.into()),
     }

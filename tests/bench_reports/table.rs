@@ -1,8 +1,8 @@
 //! The table for a terminal.
 
-use motes::bench::{COLUMNS, Measure, table};
+use motes::bench::{COLUMNS, Measure, Spread, fits, sweep_tables, table};
 
-use crate::synthetic::LLVMPIPE;
+use crate::synthetic::{LLVMPIPE, Model};
 
 /// Golden text; `UPDATE_GOLDEN=1` writes it anew.
 #[test]
@@ -68,4 +68,61 @@ fn numbers_follow_from_the_record() {
     let bytes: f64 = 1e6 * (0.55 + 1.1 + 0.13 + 64.0 + 40.0);
     let floor = format!("{:.1}  to copy", bytes / 8.72e6);
     assert!(text.contains(&floor), "{floor} is not in\n{text}");
+}
+
+/// What a model costs is what its line says: each pass so much to start, and its bytes at its rate.
+#[test]
+fn a_sweep_is_told_as_the_line_that_made_it() {
+    let counts = [1_000, 10_000, 100_000, 1_000_000];
+    let model = Model {
+        noise: 0.0,
+        delayed: 0.0,
+        ..LLVMPIPE
+    };
+    let record = model.record(&counts);
+    let runs: Vec<_> = record.runs.iter().collect();
+    let all = fits(&runs);
+    let of = |name: &str| {
+        all.iter()
+            .find(|fit| fit.name == name)
+            .expect("it is there")
+    };
+    let advance = of("particles/advance");
+    let (start_ms, each_ns) = (0.03, 64.0 / (8.72 * 0.78));
+    assert!((advance.a_ms / start_ms - 1.0).abs() < 0.02, "{advance:?}");
+    assert!((advance.b_ns / each_ns - 1.0).abs() < 0.02, "{advance:?}");
+    assert!(
+        advance.strays().expect("there are steps") < 0.02,
+        "{advance:?}"
+    );
+    let frame = of("whole frame");
+    assert!((frame.a_ms / 2.061 - 1.0).abs() < 0.02, "{frame:?}");
+    // What costs the same whatever lives has no line worth telling.
+    assert!(all.iter().all(|fit| fit.name != "particles/births"));
+
+    let text = sweep_tables(&record);
+    let line = text.lines().find(|line| line.contains("particles/advance"));
+    assert!(line.expect("it is told").contains("9.4"), "{text}");
+    let two = model.record(&counts[..2]);
+    assert_eq!(sweep_tables(&two), "", "two counts make any line");
+}
+
+/// Cost that grows faster than the count shows in its steps, and a line never begins below zero.
+#[test]
+fn a_sweep_that_is_no_line_shows_it() {
+    let mut record = LLVMPIPE.record(&[10_000, 100_000, 1_000_000]);
+    for run in &mut record.runs {
+        let n = run.particles as f64;
+        let ms = 1e-9 * n * n;
+        run.frame_ms = Spread::new(vec![ms; 5], run.frame_ms.clock);
+    }
+    let runs: Vec<_> = record.runs.iter().collect();
+    let all = fits(&runs);
+    let frame = all.last().expect("the frame");
+    assert!(frame.a_ms >= 0.0 && frame.b_ns >= 0.0, "{frame:?}");
+    let strays = frame.strays().expect("there are steps");
+    assert!(
+        (strays - 9.0).abs() < 1e-6,
+        "from 110,000 to 1,100,000: {strays}"
+    );
 }

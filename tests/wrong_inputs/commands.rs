@@ -202,6 +202,19 @@ fn what_a_plan_refuses_is_told_with_its_place() {
         )
         .file("w.toml", flock("9").as_str()),
         Row::new(
+            &["bench", "w.toml", "--set", "flock.crows.count=1000000"],
+            &["would look at", "| --set flock.crows.count=1000000\n"],
+        )
+        .file("w.toml", flock("9").as_str()),
+        Row::new(
+            &["bench", "million", "--set", "sede=2"],
+            &["`sede`", "| --set sede=2\n", "`seed`"],
+        ),
+        Row::new(
+            &["bench", "--micro", "--set", "seed=2"],
+            &["--set changes scenes", "name a scene"],
+        ),
+        Row::new(
             &["check", "w.toml"],
             &["a planet and an orthographic camera", "w.toml:4:14"],
         )

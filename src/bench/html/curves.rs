@@ -5,6 +5,7 @@ use super::super::units::{digits, grouped, prefixed};
 use super::Labelled;
 use super::chart::{Chart, Curve, DASHED, DOTTED, Line, SOLID};
 use super::svg::figure;
+use crate::bench::fits::fits;
 
 /// Scenes that some record measured at several counts, in the order of the records.
 pub(super) fn scenes_in_several_counts<'a>(records: &[Labelled<'a>]) -> Vec<&'a str> {
@@ -83,8 +84,20 @@ fn times(scene: &str, curves: &[Curve]) -> String {
         .collect();
     let references = [(1000.0 / 60.0, "60 frames/s"), (1000.0, "1 frame/s")];
     let title = format!("{scene}: time a frame");
+    let costs = curves.iter().filter_map(|curve| {
+        let fits = fits(&curve.runs);
+        let frame = fits.last()?;
+        Some(format!(
+            " On {} a frame takes {} ms and {} ns a particle.",
+            curve.labelled.label,
+            digits(frame.a_ms),
+            digits(frame.b_ns)
+        ))
+    });
     let words = "Median of step and drawing, with p10 to p90 behind it. Dashed is the floor: what the adapter's own copies of \
-                 the bytes that the passes must move take. Dotted is what as many dispatches cost that do nothing.";
+                 the bytes that the passes must move take. Dotted is what as many dispatches cost that do nothing."
+        .to_owned()
+        + &costs.collect::<String>();
     let value = |ms: f64| digits(ms) + " ms";
     let chart = Chart {
         title: &title,
@@ -94,7 +107,7 @@ fn times(scene: &str, curves: &[Curve]) -> String {
         references: &references,
         value: &value,
     };
-    figure(&title, words, &chart.drawn(curves))
+    figure(&title, &words, &chart.drawn(curves))
 }
 
 fn rates(scene: &str, curves: &[Curve]) -> String {
