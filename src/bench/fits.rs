@@ -5,7 +5,7 @@ use super::record::{Part, Run};
 /// Counts below this say what a frame costs, not what one more particle does.
 const MANY: f64 = 1e4;
 
-/// Passes that take less of the largest frame are left out.
+/// Passes that take less of every frame are left out.
 const LEAST_SHARE: f64 = 0.01;
 
 /// What takes `a_ms` and `b_ns` each.
@@ -19,8 +19,10 @@ pub struct Fit {
     pub a_ms: f64,
     /// Nanoseconds that each one more takes, over the whole sweep.
     pub b_ns: f64,
-    /// The least and the most of it from one count to the next, of counts from 10^4 on; `None` where
-    /// there are fewer than two.
+    /// How far the time of any count is from the line, as a part of the line's.
+    pub off: f64,
+    /// The least and the most that each one more takes from one count to the next, of counts from 10^4
+    /// on; `None` where there are fewer than three.
     pub steps_ns: Option<[f64; 2]>,
 }
 
@@ -61,23 +63,25 @@ impl Fit {
         let steps: Vec<f64> = steps
             .map(|pair| (pair[1][1] - pair[0][1]) / (pair[1][0] - pair[0][0]) * 1e6)
             .collect();
-        let steps_ns = (!steps.is_empty()).then(|| {
+        let steps_ns = (steps.len() > 1).then(|| {
             let least = steps.iter().copied().fold(f64::INFINITY, f64::min);
             let most = steps.iter().copied().fold(f64::NEG_INFINITY, f64::max);
             [least, most]
         });
+        let residual = |[n, ms]: &[f64; 2]| (ms / (a_ms + b_ms * n) - 1.0).abs();
         Some(Self {
             name: name.to_owned(),
             part,
             a_ms,
             b_ns: b_ms * 1e6,
+            off: points.iter().map(residual).fold(0.0, f64::max),
             steps_ns,
         })
     }
 }
 
-/// The lines of a scene that was measured at three counts or more: of the passes that matter where most
-/// live, then of step, drawing and frame. `runs` are all of one scene.
+/// The lines of a scene that was measured at three counts or more: of the passes that matter at some
+/// count, then of step, drawing and frame. `runs` are all of one scene.
 pub fn fits(runs: &[&Run]) -> Vec<Fit> {
     let count = |run: &Run| run.particles as f64;
     let mut runs = runs.to_vec();
@@ -86,8 +90,14 @@ pub fn fits(runs: &[&Run]) -> Vec<Fit> {
     let Some(last) = runs.last() else {
         return Vec::new();
     };
-    let least_ms = last.frame_ms.median * LEAST_SHARE;
-    let heavy = last.passes.iter().filter(|pass| pass.ms.median >= least_ms);
+    let matters = |name: &str| {
+        runs.iter().any(|run| {
+            let least_ms = run.frame_ms.median * LEAST_SHARE;
+            let mut passes = run.passes.iter();
+            passes.any(|pass| pass.name == name && pass.ms.median >= least_ms)
+        })
+    };
+    let heavy = last.passes.iter().filter(|pass| matters(&pass.name));
     let mut fits: Vec<Fit> = heavy
         .filter_map(|heavy| {
             let point = |run: &&Run| {

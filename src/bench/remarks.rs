@@ -25,8 +25,12 @@ pub(super) fn of_run(run: &Run) -> Vec<String> {
     let frame = &run.frame_ms;
     let samples = frame.samples.len();
     if samples > 0 && samples < FEW_SAMPLES {
+        let few = match samples {
+            1 => "1 sample is".to_owned(),
+            samples => format!("{samples} samples are"),
+        };
         remarks.push(format!(
-            "{samples} samples are few, and percentiles rough: take more frames"
+            "{few} few, and percentiles rough: take more frames"
         ));
     }
     if let Some(Groups { ratio, slow }) = groups(&frame.samples) {

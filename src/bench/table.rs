@@ -5,13 +5,9 @@ use super::record::{Measure, Part, Record, Run};
 use super::remarks;
 use super::spread::Spread;
 use super::units::{binary_bytes, digits, grouped, percent, prefixed, shortened};
-use crate::layout::FLAME_STEPS;
 
 /// No line is longer, characters.
 pub const COLUMNS: usize = 100;
-
-/// The pass that takes the wind along flames.
-const TRACE: &str = "flames/trace";
 
 /// Characters of a pass's name.
 const NAME: usize = 30;
@@ -29,7 +25,8 @@ pub fn table(record: &Record) -> String {
 }
 
 /// What scenes cost that were measured at three counts or more: `a` with nothing in it and so much each,
-/// over the whole sweep, and from one count to the next. Each with a blank line before.
+/// over the whole sweep, how far a count is off that line at most, and what each one more takes from one
+/// count to the next. Each with a blank line before.
 pub fn sweep_tables(record: &Record) -> String {
     let mut text = String::new();
     for (scene, runs) in by_scene(&record.runs) {
@@ -39,24 +36,29 @@ pub fn sweep_tables(record: &Record) -> String {
         }
         let title = format!("{scene}, as a line over {} counts", runs.len());
         text += &format!(
-            "\n{}\n{:<NAME$} {:>8} {:>9} {:>21} {:>9}\n",
+            "\n{}\n{:<NAME$} {:>8} {:>9} {:>9} {:>21} {:>9}\n",
             shortened(&title, COLUMNS),
             "pass",
             "a, ms",
             "ns each",
+            "off by",
             "from 10,000 on",
             "apart"
         );
         for fit in &fits {
             let indent = if fit.part.is_some() { "  " } else { "" };
             let name = indent.to_owned() + &shortened(&fit.name, NAME - indent.len());
-            let steps = fit.steps_ns.map_or("-".to_owned(), |[least, most]| {
-                format!("{} .. {}", digits(least), digits(most))
-            });
+            let steps = match fit.steps_ns {
+                Some([least, most]) if least > 0.0 => {
+                    format!("{} .. {}", digits(least), digits(most))
+                }
+                _ => "-".to_owned(),
+            };
             let line = format!(
-                "{name:<NAME$} {:>8} {:>9} {steps:>21} {:>9}",
+                "{name:<NAME$} {:>8} {:>9} {:>9} {steps:>21} {:>9}",
                 digits(fit.a_ms),
                 digits(fit.b_ns),
+                percent(fit.off),
                 fit.strays().map_or_else(|| "-".to_owned(), percent)
             );
             text += &(line + "\n");
@@ -178,6 +180,7 @@ pub fn run_table(record: &Record, run: &Run) -> String {
         );
     }
     text += &flocking(run);
+    text += &tracing(run);
     text += &facts(run);
     text + &warnings(&remarks::of_run(run))
 }
@@ -210,19 +213,23 @@ fn flocking(run: &Run) -> String {
     shortened(&line, COLUMNS) + "\n"
 }
 
-/// Samples of the wind a second that flames take while they are traced.
-fn wind_samples_per_s(run: &Run) -> Option<f64> {
-    let traced = run.passes.iter().find(|pass| pass.name == TRACE)?;
-    let samples = traced.items as f64 * FLAME_STEPS as f64;
-    (samples > 0.0 && traced.ms.median > 0.0).then(|| samples / traced.ms.median * 1e3)
+/// How fast flames take samples of the wind: one for each item of the pass that traces them.
+fn tracing(run: &Run) -> String {
+    let is_trace = |name: &str| name.rsplit('/').next() == Some("trace");
+    let traced = run.passes.iter().find(|pass| is_trace(&pass.name));
+    match traced {
+        Some(pass) if pass.items > 0 && pass.ms.median > 0.0 => {
+            let rate = prefixed(pass.items as f64 / pass.ms.median * 1e3);
+            let line = format!("{rate} samples of the wind/s in {}", pass.name);
+            shortened(&line, COLUMNS) + "\n"
+        }
+        _ => String::new(),
+    }
 }
 
 /// Rates and memory of a run.
 fn facts(run: &Run) -> String {
     let mut facts = Vec::new();
-    if let Some(rate) = wind_samples_per_s(run) {
-        facts.push(format!("{} wind samples/s in {TRACE}", prefixed(rate)));
-    }
     if let Some(rate) = run.particles_per_s() {
         facts.push(format!("{} particles/s", prefixed(rate)));
     }

@@ -113,7 +113,7 @@ pub(super) fn run(args: &BenchArgs) -> Result<u8, CliError> {
     };
     let measured = bench::measure(&targets, &request, &mut watch);
     line.bar.finish_and_clear();
-    let mut records = match measured {
+    let records = match measured {
         Ok(records) => records,
         Err(BenchError::Stopped) => {
             note!("motes: stopped; nothing was written");
@@ -121,11 +121,6 @@ pub(super) fn run(args: &BenchArgs) -> Result<u8, CliError> {
         }
         Err(error) => return Err(error.into()),
     };
-    if !args.set.is_empty() {
-        for record in &mut records {
-            record.options.insert("set".to_owned(), args.set.join(" "));
-        }
-    }
     // First of all what cannot fail for want of room: it took long to measure.
     let texts: Vec<String> = records.iter().map(bench::table).collect();
     let printed = print(&texts.join("\n"));
@@ -220,6 +215,14 @@ fn request(args: &BenchArgs) -> Result<Request, CliError> {
         }
         scenes.push(scene);
     }
+    // What was changed is another scene: its records are held against none that is as it was written.
+    let mut changes = args.set.clone();
+    changes.sort_by(|a, b| key_of(a).cmp(key_of(b)));
+    for scene in &mut scenes {
+        if !changes.is_empty() {
+            scene.name += &format!(" with {}", changes.join(", "));
+        }
+    }
     places(args, &inputs)?;
     super::tell_notes(&scenes);
     let mut particles = args.particles.clone();
@@ -245,6 +248,11 @@ fn request(args: &BenchArgs) -> Result<Request, CliError> {
         }
         Err((_, error)) => Err(error.into()),
     }
+}
+
+/// The key that `path.to.key=value` changes.
+fn key_of(set: &str) -> &str {
+    set.split('=').next().unwrap_or_default().trim()
 }
 
 /// Opens each adapter once.

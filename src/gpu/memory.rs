@@ -15,8 +15,8 @@ use crate::plan::{BUFFERS, BufferRole, Count, Plan, Stage};
 const PAGE_GRAIN: u32 = 2048;
 
 /// Drivers end an invocation's loops when they have turned 65,535 times in all, and one invocation
-/// writes the dispatches of all pairs of pages.
-const MOST_DISPATCHES: u32 = 60_000;
+/// writes the dispatches of all pairs of pages, and looks up in each page where its first target ends.
+const MOST_DISPATCHES: u32 = 50_000;
 
 /// A page holds a multiple of this many flames: whole runs of an invocation's neighbours.
 const FLAME_GRAIN: u32 = 32;

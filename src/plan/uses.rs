@@ -23,6 +23,11 @@ macro_rules! uses {
                 vec![$(($switch, self.$field)),*]
             }
 
+            /// Every field by its name, and whether it is on.
+            fn fields(self) -> Vec<(&'static str, bool)> {
+                vec![$((stringify!($field), self.$field)),*]
+            }
+
             /// All of them.
             pub(super) fn all() -> Self {
                 Self { $($field: true),* }
@@ -316,8 +321,13 @@ impl Uses {
         }
     }
 
-    /// Whether inputs of the caller's making use no more than this.
-    pub fn cover(self, inputs: &FrameInputs) -> bool {
-        self.and(Self::of(inputs)) == self
+    /// What inputs of the caller's making use beyond this, by the names of the fields above; empty where
+    /// they use no more.
+    pub fn lacking(self, inputs: &FrameInputs) -> Vec<&'static str> {
+        let asked = Self::of(inputs).fields();
+        let lacks = self.fields().into_iter().zip(asked);
+        lacks
+            .filter_map(|((name, has), (_, asked))| (asked && !has).then_some(name))
+            .collect()
     }
 }

@@ -129,11 +129,15 @@ impl Simulation {
     /// # Errors
     /// The machine fails, or the inputs use what the plan does not ([`crate::plan::Uses`]).
     pub fn step_with(&mut self, mut inputs: FrameInputs) -> Result<(), SimulationError> {
-        if !self.plan.uses.cover(&inputs) {
+        let lacking = self.plan.uses.lacking(&inputs);
+        if !lacking.is_empty() {
             return Err(SimulationError::Plan(PlanError {
-                message: "these inputs use what no system of the plan does".into(),
-                help: "give the plan a system, or a change, that has all that these inputs have: \
-                       particle shapes, thresholds, bounds, drag, noise, layers and the like"
+                message: format!(
+                    "these inputs use what the plan does not: {}",
+                    lacking.join(", ")
+                ),
+                help: "give the plan a scene, or a change, that has all that these inputs have; \
+                       `plan::Uses` says what each of these is"
                     .into(),
                 key: None,
             }));

@@ -127,6 +127,38 @@ fn one_adapter_makes_one_record_and_micro_alone_no_run() {
 }
 
 #[cfg(unix)]
+/// What --set changed is another scene in the record.
+#[test]
+fn changed_scenes_are_called_by_their_changes() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let out = ended(
+        folder.path(),
+        &[
+            "fountain",
+            "--adapter",
+            "cpu",
+            "--frames",
+            "1",
+            "--set",
+            "image.width=64",
+            "--set",
+            "image.height=36",
+            "--json",
+            "r.json",
+        ],
+    );
+    assert!(
+        out.status.success(),
+        "{}",
+        String::from_utf8_lossy(&out.stderr)
+    );
+    let records =
+        motes::bench::read_records(&folder.path().join("r.json")).expect("it is a record");
+    let run = &records[0].runs[0];
+    assert_eq!(run.scene, "fountain with image.height=36, image.width=64");
+    assert_eq!(run.image_px, Some([64, 36]));
+}
+
 #[test]
 fn control_c_ends_it_cleanly_and_nothing_is_written() {
     let folder = tempfile::tempdir().expect("a temporary folder");

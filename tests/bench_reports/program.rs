@@ -76,6 +76,27 @@ fn the_exit_code_is_the_answer() {
     );
 }
 
+/// Yardsticks are in every record: they do not make records of different scenes comparable.
+#[test]
+fn records_of_different_scenes_are_refused() {
+    let folder = folder();
+    let mut other = LLVMPIPE.record(&[100_000]);
+    other.runs[0].scene = "million with image.width=640".to_owned();
+    write_records(&folder.path().join("other.json"), &[other.clone()]).expect("it can be written");
+    other.runs.clear();
+    write_records(&folder.path().join("alone.json"), &[other]).expect("it can be written");
+    let told = |files: [&str; 2]| {
+        let out = motes(folder.path(), &["compare", files[0], files[1]]);
+        let text = String::from_utf8_lossy(&out.stderr).into_owned();
+        (out.status.code(), text)
+    };
+    let (code, text) = told(["old.json", "other.json"]);
+    assert_eq!(code, Some(2), "{text}");
+    assert!(text.contains("no scene at the same count"), "{text}");
+    assert_eq!(told(["alone.json", "alone.json"]).0, Some(0));
+    assert_eq!(told(["old.json", "alone.json"]).0, Some(0));
+}
+
 #[test]
 fn several_records_a_side_come_in_one_file_or_in_many() {
     let folder = folder();

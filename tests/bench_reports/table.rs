@@ -119,10 +119,27 @@ fn a_sweep_that_is_no_line_shows_it() {
     let runs: Vec<_> = record.runs.iter().collect();
     let all = fits(&runs);
     let frame = all.last().expect("the frame");
+    assert!(frame.off > 0.5, "{frame:?}");
     assert!(frame.a_ms >= 0.0 && frame.b_ns >= 0.0, "{frame:?}");
     let strays = frame.strays().expect("there are steps");
     assert!(
         (strays - 9.0).abs() < 1e-6,
         "from 110,000 to 1,100,000: {strays}"
     );
+}
+
+/// A sample of the wind is an item of the pass that traces flames, on every backend.
+#[test]
+fn samples_of_the_wind_are_told() {
+    for name in ["flames/trace", "trace"] {
+        let mut record = LLVMPIPE.record(&[1_000]);
+        assert!(!table(&record).contains("samples of the wind"));
+        let clock = record.runs[0].frame_ms.clock;
+        let traced = Measure::new(name, vec![0.5; 9], clock, 25_000, 0, None);
+        record.runs[0].passes.push(traced);
+        let told = format!("50.0 M samples of the wind/s in {name}\n");
+        let text = table(&record);
+        assert!(text.contains(&told), "{text}");
+        assert!(text.contains("particles/s"), "{text}");
+    }
 }

@@ -51,7 +51,8 @@ impl Cut {
     }
 
     /// Dispatches for the splat, page by page, then the advance's for every pair of pages: those
-    /// present in the source where it has survivors that go to the target.
+    /// present in the source where it has survivors that go to the target, of a page with a second
+    /// target those to the end of the word that has the last who go to the first.
     pub(crate) fn after_pages(&self, alive: &[bool]) -> Vec<u32> {
         let live = alive.iter().filter(|alive| **alive).count() as u32;
         let mut list: Vec<u32> = (0..self.page_count)
@@ -61,14 +62,24 @@ impl Cut {
         for source in 0..self.page_count {
             let present = self.of_page(source, alive.len() as u32);
             let start = (source * self.page_len) as usize;
-            let mut targets = vec![false; self.page_count as usize];
-            for alive in alive.iter().skip(start).take(present as usize) {
-                if *alive {
-                    targets[(place / self.page_len) as usize] = true;
-                    place += 1;
-                }
+            let mut lasts = vec![None; self.page_count as usize];
+            let of_page = alive.iter().skip(start).take(present as usize);
+            for (at, _) in of_page.enumerate().filter(|(_, alive)| **alive) {
+                lasts[(place / self.page_len) as usize] = Some(at as u32);
+                place += 1;
             }
-            let of = |target: u32| if targets[target as usize] { present } else { 0 };
+            let of = |target: u32| {
+                let Some(last) = lasts[target as usize] else {
+                    return 0;
+                };
+                let goes_on = lasts[target as usize + 1..].iter().any(Option::is_some);
+                let reached = if goes_on {
+                    (last / 32 + 1) * 32
+                } else {
+                    present
+                };
+                reached.min(present)
+            };
             list.extend((0..=source).map(of));
         }
         list.into_iter()

@@ -103,7 +103,7 @@ fn advance(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let here = min(at, page_len - 1u);
     let global_at = pages.source_page * page_len + here;
     let bit = here % 32u;
-    let word_at = min(global_at, max(total, 1u) - 1u) / 32u;
+    let word_at = min(global_at, total - 1u) / 32u;
 #if WIDE == true
     let word = word_ranks[word_at];
     let ranks = vec2<u32>(u32(word), u32(word >> 32u));

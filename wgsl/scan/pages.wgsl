@@ -52,10 +52,10 @@ fn pages() {
         let last = survivors_before(start + frame.page_len);
         for (var target_page = 0u; target_page <= source; target_page += 1u) {
             let target_start = target_page * frame.page_len;
-            let meets = first < target_start + frame.page_len && last > target_start;
-            var work = select(0u, present, meets && last > first);
-            if work > 0u && last > target_start + frame.page_len {
-                work = reaching(start, present, target_start + frame.page_len);
+            let target_end = target_start + frame.page_len;
+            var work = 0u;
+            if (first < target_end) & (last > target_start) & (last > first) {
+                work = reaching(start, present, target_end);
             }
             let pair = source * (source + 1u) / 2u + target_page;
             dispatches[pairs + pair] = dispatch_for(work, WORKGROUP_SIZE);

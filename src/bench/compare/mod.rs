@@ -225,7 +225,11 @@ pub fn compare(
     } else {
         comparisons.push(one_adapter(old, new));
     }
-    match comparisons.iter().any(|it| !it.compared.is_empty()) {
+    // Yardsticks are in every record: where both sides have scenes, they alone are nothing in common.
+    let have_runs = |records: &[Record]| records.iter().any(|record| !record.runs.is_empty());
+    let wants_runs = have_runs(old) && have_runs(new);
+    let mut compared = comparisons.iter().flat_map(|it| &it.compared);
+    match compared.any(|it| it.run.is_some() || !wants_runs) {
         true => Ok(comparisons),
         false => Err(CompareError {
             problem: "the records have no scene at the same count and no kernel alone in common"

@@ -26,7 +26,10 @@ impl Compared {
         let Some(change) = &self.change else {
             return "too few samples to tell".to_owned();
         };
-        let within = || format!("{:.1} %", change.reach() * 100.0);
+        let within = || match change.reach() {
+            reach if reach > 1.0 => "over 100 %".to_owned(),
+            reach => format!("{:.1} %", reach * 100.0),
+        };
         match self.verdict() {
             Verdict::Slower => format!("slower by {}", change.percent()),
             Verdict::Faster => format!("faster by {}", change.percent()),

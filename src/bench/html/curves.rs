@@ -1,7 +1,7 @@
 //! Times and rates against counts, a curve an adapter.
 
 use super::super::record::Run;
-use super::super::units::{digits, grouped, prefixed};
+use super::super::units::{digits, grouped, percent, prefixed};
 use super::Labelled;
 use super::chart::{Chart, Curve, DASHED, DOTTED, Line, SOLID};
 use super::svg::figure;
@@ -88,10 +88,11 @@ fn times(scene: &str, curves: &[Curve]) -> String {
         let fits = fits(&curve.runs);
         let frame = fits.last()?;
         Some(format!(
-            " On {} a frame takes {} ms and {} ns a particle.",
+            " On {} a frame takes {} ms and {} ns for each that lives, within {}.",
             curve.labelled.label,
             digits(frame.a_ms),
-            digits(frame.b_ns)
+            digits(frame.b_ns),
+            percent(frame.off)
         ))
     });
     let words = "Median of step and drawing, with p10 to p90 behind it. Dashed is the floor: what the adapter's own copies of \
