@@ -157,6 +157,7 @@ static EXPLAINED: &[Explanation] = &[
     ("draw/planet", "planet: (one.covered + two.covered) -> Subtract", "an outline fades within a pixel and the ball is on one side of it: what is left is above 0"),
     ("draw/planet", "planet: (first >= (_.width * _.height)) -> Greater", "four pixels more, beyond the last"),
     ("draw/planet", "pixel_of: 0.0f -> -1.0f", "where nothing is covered all light is multiplied by 0"),
+    ("draw/planet", "spot_of: 0.0f -> -1.0f", "octaves of ground where nothing shows of it"),
     ("draw/planet", "spot_of: 0u -> 1u in select(0u, planet.kinds.0, less())", "ground where nothing shows of it"),
     ("draw/planet", "spot_of: 0.0f -> -1.0f in select(0.0f, clamp_unit(), less())", "less than nothing shows no more than nothing"),
     ("draw/planet", "light_on: (at < planet.kinds.2) -> LessEqual", "the lamp after the last is dark"),
