@@ -1,7 +1,7 @@
 //! A scene made small enough to be checked in seconds, with all that makes it what it is.
 
 use crate::plan::{Plan, PlanError};
-use crate::scene::{Fire, Scene, System};
+use crate::scene::{BirthUnit, Fire, Scene, System};
 
 /// Most particles alive at once in a shrunk scene, about.
 const MOST_PARTICLES: u32 = 20_000;
@@ -90,7 +90,15 @@ pub fn shrunk(scene: &Scene, frames: u32) -> Result<Scene, PlanError> {
     {
         // What systems ask for that are yet to be born has a bound far above it; the capacity says
         // more, and births by screen area fall with the picture.
-        let likely = f64::from(capacity) * fit.min(1.0) * fit.min(1.0);
+        let by_area = |system: &System| {
+            system.births.per == BirthUnit::ScreenArea && !scene.bears_systems(&system.name)
+        };
+        let falls = if scene.systems.iter().any(by_area) {
+            fit.min(1.0) * fit.min(1.0)
+        } else {
+            1.0
+        };
+        let likely = f64::from(capacity) * falls;
         let mut small = small.with_births((f64::from(MOST_PARTICLES) / likely).min(1.0));
         small.capacity = Some(capacity.min(MOST_PARTICLES));
         return Plan::new(&small, frames).map(|_| small);

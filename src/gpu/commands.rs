@@ -538,7 +538,7 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
     KernelUse {
         stage: Stage::Planet,
         kernel: "draw/planet",
-        work: Work::EachPixel,
+        work: Work::Pixels,
     },
     KernelUse {
         stage: Stage::Planet,

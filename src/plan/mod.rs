@@ -475,7 +475,12 @@ impl Plan {
         }
     }
 
-    /// Names of the picture's layers: those of the scene and `rest`; `particles` alone if the scene
+    /// Whether the scene has surfaces of any kind ([`Scene::has_surfaces`]).
+    pub fn has_surfaces(&self) -> bool {
+        self.variants[0].1.has_surfaces()
+    }
+
+    /// Names of the picture's layers: those of the scene and `rest`, or `particles` alone if the scene
     /// has none.
     pub fn layer_names(&self) -> Vec<String> {
         self.variants[0].1.layer_names()

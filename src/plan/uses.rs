@@ -248,7 +248,11 @@ impl Uses {
                 .iter()
                 .any(|one| one.grain_kind[0] != GRAIN_NONE)
                 || inputs.spreads.iter().any(|one| one.kinds[2] != GRAIN_NONE),
-            layers: !inputs.layer_planes.is_empty(),
+            // What has surfaces is drawn without particles for the layer that these are.
+            layers: !inputs.layer_planes.is_empty()
+                || !inputs.planets.is_empty()
+                || !inputs.grounds.is_empty()
+                || !inputs.surfaces.is_empty(),
             covers: inputs.flocks.iter().any(is_drawn) || marks || smokes || front_lines,
             shades: !inputs.shade_boxes.is_empty(),
             marks,

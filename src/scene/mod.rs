@@ -147,13 +147,28 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Names of the picture's layers: those of the file and `rest`; `particles` alone if it has none.
+    /// Names of the picture's layers: those of the file and `rest`, or `particles` alone if it has none; before
+    /// them `surfaces`, if there are any ([`Scene::has_surfaces`]).
     pub fn layer_names(&self) -> Vec<String> {
+        let surfaces = self.has_surfaces().then(|| "surfaces".to_owned());
         let names = self.layers.iter().map(|layer| layer.name.clone());
-        if self.layers.is_empty() {
-            return vec!["particles".into()];
-        }
-        names.chain(["rest".into()]).collect()
+        let last = if self.layers.is_empty() {
+            "particles"
+        } else {
+            "rest"
+        };
+        surfaces
+            .into_iter()
+            .chain(names)
+            .chain([last.to_owned()])
+            .collect()
+    }
+
+    /// Whether there is a planet, a ground, a pillar or a surface: all that light falls on, and that hides what is
+    /// behind it.
+    pub fn has_surfaces(&self) -> bool {
+        let planes = self.planet.is_some() || self.ground.is_some();
+        planes || !self.pillars.is_empty() || !self.surfaces.is_empty()
     }
 
     /// Whether what the system of that name bears are systems.

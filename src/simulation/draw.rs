@@ -4,6 +4,8 @@ use std::any::Any;
 
 use super::{Simulation, SimulationError};
 use crate::gpu::{GpuBackend, ParticleBuffers, TextureError};
+use crate::layout::Frame;
+use crate::plan::FrameInputs;
 use crate::scene::Camera;
 
 impl Simulation {
@@ -90,15 +92,15 @@ impl Simulation {
         backend.downcast_mut()
     }
 
-    /// Names of the picture's layers: those of the scene and `rest`; `particles` alone if the scene
-    /// has none.
+    /// Names of the picture's layers: those of the scene and `rest`, or `particles` alone if the scene has
+    /// none; before them `surfaces`, if there are any (planet, ground, pillars and meshes).
     pub fn layer_names(&self) -> Vec<String> {
         self.plan.layer_names()
     }
 
-    /// Draws one layer of the last frame stepped, on black: the light of the particles in it.
-    /// Layers sum to the whole, step by step of light, where nothing covers; what does hides what is
-    /// in layers behind ([`Simulation::hidden`]).
+    /// Draws one layer of the last frame stepped, on black: the surfaces in their light, or the light of the
+    /// particles in it that surfaces leave. Layers sum to the whole, step by step of light, where nothing
+    /// covers; what does hides what is in layers behind ([`Simulation::hidden`]).
     ///
     /// # Errors
     /// The machine fails.
@@ -108,40 +110,59 @@ impl Simulation {
         };
         let mut inputs = inputs.clone();
         inputs.frame.background = [0.0; 4];
-        // The ground and the planet are of no layer: they hide, and show nothing of themselves.
-        for ground in &mut inputs.grounds {
-            let [.., contrast] = ground.color;
-            ground.color = [0.0, 0.0, 0.0, contrast];
-        }
-        for pillar in &mut inputs.pillars {
-            pillar.color = [0.0; 4];
-        }
-        for surface in &mut inputs.surfaces {
-            surface.color = [0.0; 4];
-        }
-        for planet in &mut inputs.planets {
-            planet.color = [0.0; 4];
-        }
-        inputs.frame.layer = if inputs.layer_planes.is_empty() {
-            0
+        let has_surfaces = usize::from(self.plan.has_surfaces());
+        inputs.frame.layer = if index < has_surfaces {
+            layer_of_surfaces(&inputs.frame)
         } else {
-            index as u32 + 1
+            hide_surfaces(&mut inputs);
+            if inputs.layer_planes.is_empty() {
+                0
+            } else {
+                (index - has_surfaces) as u32 + 1
+            }
         };
         self.backend.draw(&inputs)?;
         self.drawn = Some(inputs.frame);
         Ok(())
     }
 
-    /// How much of what is behind each pixel of the image drawn last, rows from the top, is hidden by
-    /// what covers it, 0 to 1; empty where nothing of the scene covers.
+    /// How much of what is behind each pixel of the image drawn last, rows from the top, is hidden, 0 to 1:
+    /// by what covers it, from all that is behind that, surfaces too; by the surfaces, if the image is their
+    /// layer. Empty where nothing of the scene covers. One number a pixel: along the outline of a surface
+    /// before what covers, it does not tell which part of the pixel hides which.
     ///
     /// # Errors
     /// The machine fails.
     pub fn hidden(&mut self) -> Result<Vec<f32>, SimulationError> {
-        let words = self.backend.read("cover_bt")?;
-        let (pixels, _) = words.as_chunks::<2>();
-        let hidden = |[_, clear]: &[u32; 2]| 1.0 - f32::from_bits(*clear);
-        Ok(pixels.iter().map(hidden).collect())
+        let clear_of = |pixels: &[u32]| -> Vec<f32> {
+            let (pixels, _) = pixels.as_chunks::<4>();
+            let clear = pixels.iter().map(|[.., clear]| f32::from_bits(*clear));
+            clear.collect()
+        };
+        let surfaces = clear_of(&self.backend.read("surface_pixels")?);
+        let drawn = self.drawn.as_ref();
+        if drawn.is_some_and(|frame| frame.layer == layer_of_surfaces(frame)) {
+            let ground = clear_of(&self.backend.read("ground_pixels")?);
+            let planet = clear_of(&self.backend.read("planet_pixels")?);
+            let count = surfaces.len().max(ground.len()).max(planet.len());
+            let clear = |at: usize| {
+                let all = [&ground, &planet, &surfaces];
+                let each = all.map(|clear| clear.get(at).copied().unwrap_or(1.0));
+                each.iter().product::<f32>()
+            };
+            return Ok((0..count).map(|at| 1.0 - clear(at)).collect());
+        }
+        let covers = self.backend.read("cover_bt")?;
+        let fronts = self.backend.read("cover_front")?;
+        let (covers, _) = covers.as_chunks::<2>();
+        let hidden = |(at, [_, clear]): (usize, &[u32; 2])| {
+            let clear = f32::from_bits(*clear);
+            // What covers behind a surface hides nothing of it.
+            let on_surface = 1.0 - surfaces.get(at).copied().unwrap_or(1.0);
+            let front = fronts.get(at).map_or(clear, |front| f32::from_bits(*front));
+            1.0 - (clear + (front - clear) * on_surface)
+        };
+        Ok(covers.iter().enumerate().map(hidden).collect())
     }
 
     /// The image drawn last: RGBA, four bytes a pixel, rows from the top.
@@ -159,5 +180,27 @@ impl Simulation {
     /// The machine fails.
     pub fn image_digest(&mut self) -> Result<u64, SimulationError> {
         Ok(self.backend.image_digest()?)
+    }
+}
+
+/// The number of the layer that no particle is in: that of the surfaces.
+fn layer_of_surfaces(frame: &Frame) -> u32 {
+    frame.layer_plane_count + 2
+}
+
+/// Surfaces hide, and show nothing of themselves.
+fn hide_surfaces(inputs: &mut FrameInputs) {
+    for ground in &mut inputs.grounds {
+        let [.., contrast] = ground.color;
+        ground.color = [0.0, 0.0, 0.0, contrast];
+    }
+    for pillar in &mut inputs.pillars {
+        pillar.color = [0.0; 4];
+    }
+    for surface in &mut inputs.surfaces {
+        surface.color = [0.0; 4];
+    }
+    for planet in &mut inputs.planets {
+        planet.color = [0.0; 4];
     }
 }

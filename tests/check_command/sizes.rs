@@ -3,6 +3,7 @@
 use motes::check::{default_frames, shrunk};
 use motes::plan::Plan;
 use motes::scene::{BUILTIN, Scene, load};
+use motes::simulation::{AdapterChoice, Options, Simulation};
 
 use crate::common;
 
@@ -61,4 +62,32 @@ fn a_scenes_own_capacity_shrinks_in_proportion() {
         factor(&small) < 0.5 && capacity.abs_diff(expected) <= 1,
         "{capacity} {expected}"
     );
+}
+
+#[test]
+fn shrunk_scenes_of_systems_that_bear_systems_drop_nobody() {
+    let options = Options {
+        adapter: AdapterChoice::Cpu,
+        ..Options::default()
+    };
+    let mut seen = 0;
+    for builtin in BUILTIN {
+        let scene = load(builtin.name).expect("it is built in");
+        if scene.systems.iter().all(|system| system.parent.is_none()) {
+            continue;
+        }
+        let frames = default_frames(&scene);
+        let small = shrunk(&scene, frames).expect("it can be planned");
+        let mut run = Simulation::new(&small, &options).expect("it can be planned");
+        run.seek(frames - 1).expect("it steps");
+        let lines = run.take_statistics().expect("they can be read");
+        let dropped: u32 = lines.iter().map(|line| line.dropped).sum();
+        let most = lines.iter().map(|line| line.live).max().unwrap_or(0);
+        println!("{}: at most {most} live, {dropped} are dropped", scene.name);
+        assert_eq!(dropped, 0, "{}", scene.name);
+        // And enough are left to be checked.
+        assert!(most > 1000, "{}: {most}", scene.name);
+        seen += 1;
+    }
+    assert!(seen >= 8, "{seen}");
 }

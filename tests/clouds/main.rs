@@ -181,3 +181,69 @@ fn clouds_are_the_same_stage_by_stage() {
         });
     }
 }
+
+/// The shipped cloud, small, after a frame: its particles, and which pixels of its picture it is seen in.
+fn billows(change: impl Fn(&mut Scene), frame: u32) -> (Vec<ParticleState>, Vec<bool>) {
+    let mut scene = motes::scene::load("billows").expect("it is built in");
+    (scene.image.width, scene.image.height) = (320, 180);
+    // The sky without haze, so that what differs from it is the cloud.
+    scene.systems.retain(|system| system.name != "haze");
+    change(&mut scene);
+    let sky = scene
+        .image
+        .background
+        .map(|part| (part * 255.0 + 0.5) as u8);
+    let options = Options {
+        adapter: AdapterChoice::Cpu,
+        ..Options::default()
+    };
+    let mut run = Simulation::new(&scene, &options).expect("the scene can be planned");
+    run.seek(frame).expect("it steps");
+    run.draw().expect("it draws");
+    let bytes = run.image().expect("it can be read");
+    let far = |pixel: &[u8]| (0..3).any(|i| pixel[i].abs_diff(sky[i]) > 60);
+    let seen = bytes.chunks(4).map(far).collect();
+    (run.particles().expect("they can be read"), seen)
+}
+
+#[test]
+fn r85_the_wind_and_many_billows_make_a_complex_shape() {
+    let (parts, seen) = billows(|_| (), 60);
+    // Wind alone makes the difference: the same particles are there without it.
+    let (calm, _) = billows(|scene| scene.winds.clear(), 60);
+    assert_eq!(parts.len(), calm.len());
+    let mut squared = 0.0;
+    for (here, there) in parts.iter().zip(&calm) {
+        assert_eq!(here.id, there.id);
+        let by = [0, 1, 2].map(|i| f64::from(here.position[i] - there.position[i]));
+        squared += by.iter().map(|part| part * part).sum::<f64>();
+    }
+    let carried = (squared / parts.len() as f64).sqrt();
+    let mut systems: Vec<u32> = parts.iter().map(|state| state.system).collect();
+    systems.sort_unstable();
+    systems.dedup();
+    // How long its outline is: squared, over what a disc of that area has.
+    let (width, height) = (320, 180);
+    let (mut area, mut edges) = (0.0, 0.0);
+    for y in 1..height - 1 {
+        for x in 1..width - 1 {
+            let at = |x: usize, y: usize| seen[y * width + x];
+            area += f64::from(u8::from(at(x, y)));
+            for (beside, below) in [(1, 0), (0, 1)] {
+                edges += f64::from(u8::from(at(x, y) != at(x + beside, y + below)));
+            }
+        }
+    }
+    // Steps along pixels are 4 / pi longer than an outline of all directions.
+    let outline = edges * std::f64::consts::FRAC_PI_4;
+    let round = outline * outline / (2.0 * std::f64::consts::TAU * area);
+    println!(
+        "{} particles of {} systems, {carried} carried by the wind, {round} times as round as a disc",
+        parts.len(),
+        systems.len()
+    );
+    assert!(area > 2000.0, "{area} pixels");
+    assert!(systems.len() > 80, "{}", systems.len());
+    assert!(carried > 0.1, "{carried}");
+    assert!(round > 1.8, "{round}");
+}

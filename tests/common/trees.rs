@@ -80,17 +80,22 @@ pub(crate) fn crowded_tree() -> Scene {
     }
 }
 
-/// Rings of systems over a planet under a sun and a lamp, before stars, while the camera moves.
+/// Rings of systems that throw light on a planet under a sun and a lamp, before stars, while the camera moves
+/// and its lens turns; the picture is of no whole fours of pixels.
 pub(crate) fn lit_planet() -> Scene {
     scene_of(
-        "image = { width = 130, height = 70, background = [0.1, 0, 0.2] }
-         camera = { position = { keys = [[0, [4, 9, 20]], [12, [-3, 8, 19]]] }, target = [0, 1, 5] }
+        "image = { width = 129, height = 71, background = [0.1, 0, 0.2] }
+         camera = { position = { keys = [[0, [4, 9, 20]], [12, [-3, 8, 19]]] }, target = [0, 1, 5], vertical_fov_degrees = { keys = [[0, 45], [12, 52]] } }
          light = { direction = [1, 0.2, 0.4], ambient = [0.05, 0.05, 0.05] }
-         planet = { center = [0.5, 0, 0], radius = 10, relief = 0.4, contrast = 0.8, octaves = 3 }
+         planet = { center = [0.5, 0, 0], radius = 10, color = [0.7, 0.5, 0.3], relief = 0.4, contrast = 0.8, octaves = 3 }
          [[lamp]]
          position = [0, 0, 13]
          color = { keys = [[0, [0, 0, 0]], [6, [3, 2, 1]]] }
          distance = 2
+         [[lamp]]
+         position = [9, 9, 4]
+         color = [0.2, 0.5, 0.9]
+         distance = 3
          [[system]]
          name = \"wall\"
          position = [0.5, 0, 10]

@@ -298,6 +298,12 @@ pub(crate) fn trials() -> Vec<Trial> {
         Trial::new("tree", unchanging(&rich_tree(), 14), 24, LARGE),
         Trial::new("dropped systems", unchanging(&crowded_tree(), 5), 64, LARGE),
         Trial::new("planet", unchanging(&lit_planet(), 7), 64, LARGE),
+        Trial::new(
+            "planet underfoot",
+            unchanging(&planet_underfoot(), 1),
+            64,
+            LARGE,
+        ),
         Trial::new("flocks", layered(flocks(false)), 24, LARGE),
         Trial::new("crowded flocks", flocks(true), 64, LARGE),
         Trial::new("driven flocks", driven(), 64, LARGE),
@@ -341,4 +347,14 @@ pub(crate) fn trials() -> Vec<Trial> {
         Trial::undrawn("beyond 32 bits", beyond_32_bits(), 64, LARGE),
         Trial::undrawn("crowd", counted(CROWD_CAPACITY, CROWD), 8, LARGE),
     ]
+}
+
+/// A planet from just above its ground, beside and behind the eye too.
+fn planet_underfoot() -> Scene {
+    let mut scene = lit_planet();
+    scene.tracks.clear();
+    scene.camera.position = [0.5, 0.0, 10.02];
+    scene.camera.target = [0.5, 5.0, 10.5];
+    scene.camera.vertical_fov_degrees = 120.0;
+    scene
 }

@@ -212,3 +212,112 @@ fn r63_layers_that_cover_are_composed_to_the_whole() {
         assert!(whole[(31 * 64 + 32) * 4] < brightest(&whole).unwrap_or(0) / 2);
     });
 }
+
+/// Layers composed over black, those farther first, and their names.
+fn composed_of(run: &mut Run) -> (Vec<u8>, Vec<String>) {
+    use motes::output::Rgba8Image;
+    let simulation = &mut run.simulation;
+    let names = simulation.layer_names();
+    let mut composed = Rgba8Image {
+        width: 64,
+        height: 64,
+        pixels: [0, 0, 0, 255].repeat(64 * 64),
+    };
+    for index in 0..names.len() {
+        simulation.draw_layer(index).expect("it draws");
+        let hidden = simulation.hidden().expect("it is read");
+        let layer = Rgba8Image {
+            pixels: simulation.image().expect("it is read"),
+            ..composed.clone()
+        };
+        composed = composed.under(&layer.into_layer_hiding(&hidden));
+    }
+    (composed.pixels, names)
+}
+
+#[test]
+fn r63_surfaces_are_a_layer_that_what_covers_goes_over() {
+    let light =
+        "light = { direction = [0, 0, 1], color = [0.5, 0.5, 0.5], ambient = [0.1, 0.1, 0.1] }";
+    let cube = "surface = [{ mesh = \"cube\", scale = 9, color = [0.2, 0.9, 0.4] }]";
+    let ball = "planet = { radius = 12, color = [0.2, 0.4, 0.9] }";
+    let floor = "ground = { radius = 60, color = [0.9, 0.8, 0.3] }\ncamera.position = [0, 14, 32]";
+    let pane = |name: &str, x: f64, z: f64| {
+        format!(
+            "name = \"{name}\"\n blend = \"over\"\n end_frame = 1\n position = [{x}, 1, {z}]
+            size = 7\n transparency = 0.4\n color = [0.9, 0.1, 0.2]"
+        )
+    };
+    // One behind the surface, in part beside its outline, and one before it.
+    let panes = [pane("far", 12.0, -14.0), pane("near", -4.0, 16.0)];
+    for surfaces in [cube, ball, floor] {
+        on_every_backend(|on| {
+            let picture = format!("{light}\n{surfaces}");
+            let mut run = Run::new(on, &scene(&picture, &[&panes[0], &panes[1]]), 1);
+            run.step_to(0);
+            let whole = run.image();
+            let (composed, names) = composed_of(&mut run);
+            assert_eq!(names, ["surfaces", "particles"]);
+            run.simulation.draw_layer(0).expect("it draws");
+            let hidden = run.simulation.hidden().expect("it is read");
+            // Within a pixel of an outline, one alpha does not tell which part of it is behind what.
+            let is_whole = |at: usize| hidden[at / 4] <= 0.0 || hidden[at / 4] >= 1.0;
+            let off = whole.iter().zip(&composed).map(|(a, b)| a.abs_diff(*b));
+            let (inside, outlines): (Vec<_>, Vec<_>) =
+                off.enumerate().partition(|(at, _)| is_whole(*at));
+            let worst = inside.iter().map(|(_, by)| *by).max();
+            let of_outlines = outlines.iter().filter(|(_, by)| *by > 3).count();
+            println!("{on}, {surfaces}: {worst:?}, and {of_outlines} of outlines by more");
+            assert!(worst <= Some(3), "{on}, {surfaces}: {worst:?}");
+            assert!(of_outlines < 40, "{on}, {surfaces}: {of_outlines}");
+            // The layer of surfaces has these alone, and none of the particles' red.
+            run.simulation.draw_layer(0).expect("it draws");
+            let alone = run.simulation.image().expect("it is read");
+            let hidden = run.simulation.hidden().expect("it is read");
+            let lit = alone
+                .chunks(4)
+                .zip(&hidden)
+                .filter(|(pixel, _)| pixel[0] > 8);
+            assert!(lit.clone().count() > 200);
+            for (pixel, hidden) in lit {
+                assert!(*hidden > 0.0 && u32::from(pixel[0]) < 2 * u32::from(pixel[1]));
+            }
+        });
+    }
+}
+
+#[test]
+fn r63_light_of_particles_and_surfaces_are_layers_that_sum_to_the_whole() {
+    let picture = "planet = { radius = 12, color = [0.3, 0.3, 0.3] }
+        light = { direction = [0, 0, 1], color = [0.5, 0.5, 0.5], ambient = [0.1, 0.1, 0.1] }
+        layer = [{ name = \"left\", point = [0, 0, 0], normal = [1, 0, 0] }]";
+    let swarm =
+        "name = \"swarm\"\n initial_mean_parts = 300\n end_frame = 1\n color = [0.04, 0.02, 0.01]
+        generation_shape = { kind = \"sphere\", radius = 20 }\n size = 3";
+    on_every_backend(|on| {
+        let mut run = Run::new(on, &scene(picture, &[swarm]), 1);
+        run.step_to(0);
+        let whole = run.image();
+        let simulation = &mut run.simulation;
+        assert_eq!(simulation.layer_names(), ["surfaces", "left", "rest"]);
+        let mut layers = Vec::new();
+        for index in 0..3 {
+            simulation.draw_layer(index).expect("it draws");
+            layers.push(simulation.image().expect("it is read"));
+        }
+        let mut lit = [0; 3];
+        for (at, byte) in whole.iter().enumerate().filter(|(at, _)| at % 4 != 3) {
+            let bytes = [0, 1, 2].map(|layer| layers[layer][at]);
+            let sum: u32 = bytes.iter().map(|byte| u32::from(*byte)).sum();
+            // Each is rounded by itself.
+            assert!(
+                sum.min(255).abs_diff(u32::from(*byte)) <= 2,
+                "{on}: {bytes:?} and {byte}"
+            );
+            for (count, byte) in lit.iter_mut().zip(bytes) {
+                *count += u32::from(byte > 0);
+            }
+        }
+        assert!(lit.iter().all(|count| *count > 300), "{on}: {lit:?}");
+    });
+}

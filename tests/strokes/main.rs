@@ -7,6 +7,7 @@ mod common;
 mod grass;
 mod joints;
 mod light;
+mod meshes;
 mod parabolas;
 mod shadows;
 mod support;

@@ -194,6 +194,14 @@ fn too_much_of_anything_is_answered_with_how_much_there_may_be() {
             &["`layer.0.name`", "w.toml:23:8", "but not \"rest\""],
         ),
         longer(
+            &layer("surfaces"),
+            &[
+                "`layer.0.name`",
+                "w.toml:23:8",
+                "\"particles\", \"surfaces\"",
+            ],
+        ),
+        longer(
             "[[layer]]\nname = \"a\"\npoint = [0, 0, 0]\nnormal = [0, 0, 0]\n",
             &["no direction", "w.toml:25:10"],
         ),

@@ -26,8 +26,8 @@ pub(in crate::cli) struct RenderArgs {
     #[arg(long, value_name = "N", value_parser = parse_frame, allow_hyphen_values = true)]
     pub(super) frame: Option<u32>,
     /// Write each layer of the picture beside it, with alpha: name-LAYER.png, or .exr where that
-    /// is the output. Layers sum to the picture in light, before it is made linear for an EXR;
-    /// PNGs round that to bytes
+    /// is the output; planet, ground and surfaces are the layer `surfaces`. Layers sum to the
+    /// picture in light, before it is made linear for an EXR; PNGs round that to bytes
     #[arg(long)]
     pub(super) layers: bool,
     /// Size of the picture in pixels

@@ -3,9 +3,9 @@
 
 use glam::{Vec3, Vec4};
 
-use crate::cpu::cluster::{fallen, way_to};
+use crate::cpu::cluster::MOST_LIFT;
 use crate::exact::{
-    at_least_zero, bits_of, clamp_unit, dot3, f32_of_u32, inverse_square_root, less,
+    at_least_zero, bits_of, clamp_unit, dot3, f32_of_u32, inverse_square_root, less, min_exact,
     normalize_exact, reciprocal, shared_constants, square_root,
 };
 use crate::layout::{FlameLight, Frame, Planet};
@@ -49,6 +49,20 @@ fn ground_at(planet: &Planet, place: Vec3) -> Vec4 {
     sum
 }
 
+/// How much falls of what a light of that squared extent sends out, so far away and so high, lifted over
+/// the ball as by `way_to` of [`crate::cpu::cluster`]: its distance squared grows by as much as its
+/// height squared.
+fn fallen_on(away: Vec3, height: f32, normal: Vec3, up: Vec3, extent: f32) -> f32 {
+    let height = at_least_zero(height);
+    let high = height * height;
+    let more = min_exact(extent, MOST_LIFT * high);
+    let lifted = square_root(high + more);
+    let near = inverse_square_root(dot3(away, away) + more);
+    let slant = dot3(normal, away) + dot3(normal, up) * (lifted - height);
+    let above = clamp_unit(HORIZON * lifted * near);
+    at_least_zero(slant * near) * near * near * above
+}
+
 /// The light that falls on a place of the surface, from the centre, of that unit normal.
 fn light_on(
     inputs: &FrameInputs,
@@ -74,16 +88,15 @@ fn light_on(
     let eye = Vec3::from_slice(&planet.eye);
     let in_world = place + (eye + Vec3::from_slice(&planet.place));
     for cluster in clusters {
+        let [x, y, z, extent] = cluster.place.map(f32::from_bits);
+        let away = Vec3::new(x, y, z) - in_world;
+        let height = dot3(up, away);
         // Most are below the horizon, and give nothing.
-        let [x, y, z, _] = cluster.place.map(f32::from_bits);
-        if !less(0.0, dot3(up, Vec3::new(x, y, z) - in_world)) {
+        if !less(0.0, height) {
             continue;
         }
-        let way = way_to(cluster, in_world, up);
-        let near = inverse_square_root(dot3(way, way));
-        let above = clamp_unit(HORIZON * at_least_zero(dot3(up, way)) * near);
         let [red, green, blue, _] = cluster.color.map(f32::from_bits);
-        light += Vec3::new(red, green, blue) * (fallen(way, normal) * above);
+        light += Vec3::new(red, green, blue) * fallen_on(away, height, normal, up, extent);
     }
     light
 }

@@ -116,7 +116,7 @@ pub const LAMP: &[Field] = &[
 /// Keys of each `[[layer]]`.
 #[rustfmt::skip] // one row a line
 pub const LAYER: &[Field] = &[
-    required("name", Kind::Name { reserved: &["rest", "particles"] }, "\"behind\"", "", "unique, a part of file names; rest and particles are layers that are always there", ""),
+    required("name", Kind::Name { reserved: &["rest", "particles", "surfaces"] }, "\"behind\"", "", "unique, a part of file names; rest, particles and surfaces are layers of their own", ""),
     required("point", PLACE, "[0, 0, 0]", "world units", "a point of the plane", "Reeves 2.5"),
     required("normal", DIRECTION, "[0, 0, 1]", "world space", "where the plane faces; the layer is what is behind it and in no layer before", "Reeves 2.5"),
 ];
