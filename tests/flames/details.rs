@@ -155,8 +155,9 @@ fn p23_scales_can_be_told_by_age() {
         [1.0 / f64::from(across), 1.0 / f64::from(along)]
     };
     let unit = extents(0)[0] / 1.5;
-    for age in 0..25 {
-        let got = [looks[age].scale[0], looks[age].scale[1]].map(f64::from);
+    assert_eq!(looks.len(), 25);
+    for (age, look) in looks.iter().enumerate() {
+        let got = [look.scale[0], look.scale[1]].map(f64::from);
         for axis in 0..2 {
             let wanted = wanted(age)[axis];
             assert!((got[axis] - wanted).abs() < 1e-6, "{got:?} at {age}");
