@@ -62,22 +62,20 @@ fn bin_flames(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let shifts = vec2<u32>(
         band_shift(end.x - first.x, GLOW_BLOCK_PX), band_shift(end.y - first.y, GLOW_BLOCK_LINES),
     );
-    var lines: array<u32, BANDS>;
-    var columns: array<u32, BANDS>;
+    let lines = first_band(tiling, at);
+    let columns = lines + BANDS;
+    for (var band = 0u; band < 2u * BANDS; band += 1u) {
+        atomicStore(&flame_tiles[lines + band], 0u);
+    }
     for (var age = 0u; age < FLAME_STEPS; age += 1u) {
         let place = bitcast<vec4<f32>>(flame_discs[(tiling.first + at) * FLAME_STEPS + age].place);
         let of_lines = bands_of(place.y, place.w, first.y, shifts.y);
         for (var band = of_lines.x; band <= of_lines.y; band += 1u) {
-            lines[band] |= 1u << age;
+            atomicOr(&flame_tiles[lines + band], 1u << age);
         }
         let of_columns = bands_of(place.x, place.z, first.x, shifts.x);
         for (var band = of_columns.x; band <= of_columns.y; band += 1u) {
-            columns[band] |= 1u << age;
+            atomicOr(&flame_tiles[columns + band], 1u << age);
         }
-    }
-    let bands = first_band(tiling, at);
-    for (var band = 0u; band < BANDS; band += 1u) {
-        atomicStore(&flame_tiles[bands + band], lines[band]);
-        atomicStore(&flame_tiles[bands + BANDS + band], columns[band]);
     }
 }

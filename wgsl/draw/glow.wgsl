@@ -5,8 +5,7 @@
 // particle is loaded once for 32 pixels. What the 25 particles of a flame add to a pixel is summed before
 // it is rounded; what flames add is a sum of integers.
 // A disc is as near as the place that it is around, and its front.
-// Software drivers run both sides of every branch, and loops at least once: so there are few branches, and
-// conditions of loops are at their ends.
+// Loops end at their heads: a software driver loses what lanes did that leave one at its foot.
 // Reads: frame, flame_discs, flame_skews, flame_bounds, flame_steps, flame_tiles, surface_nearness.
 // Writes: light_low, light_high.
 // Invariant: the image does not depend on the order of flames, nor on tiles or slices.
@@ -160,7 +159,7 @@ fn ages_at(flame: u32, bounds: vec2<u32>, x: u32, y: u32) -> u32 {
         & (flame_tiles[of_columns + left] | flame_tiles[of_columns + right]);
 }
 
-fn fan_at(at: u32, inner: vec2<f32>, is_some: bool) -> Fan {
+fn fan_at(at: u32, inner: vec2<f32>) -> Fan {
     let disc = flame_discs[at];
     var skew = vec2<f32>(0.0f);
     if SKEWS {
@@ -174,9 +173,7 @@ fn fan_at(at: u32, inner: vec2<f32>, is_some: bool) -> Fan {
         let depth = row.x * world.x + row.y * world.y + row.z * world.z + row.w;
         front = front_of(frame, depth, reciprocal(abs(place.z) + abs(skew.x)));
     }
-    let center = select(vec4<u32>(0u), disc.center, is_some);
-    let rim = select(vec4<u32>(0u), disc.rim, is_some);
-    return Fan(place, skew, inner, bitcast<vec4<f32>>(center), bitcast<vec4<f32>>(rim), front);
+    return Fan(place, skew, inner, bitcast<vec4<f32>>(disc.center), bitcast<vec4<f32>>(disc.rim), front);
 }
 
 // What a flame of the slice adds to the block at `x`, `y`, where surfaces are so near.
@@ -188,20 +185,15 @@ fn flame_light(nth: u32, x: u32, y: u32, near: ptr<function, array<Samples, 8>>)
     let bounds = flame_bounds[flame];
     let inner = bitcast<vec2<f32>>(bounds.zw);
     var ages = ages_at(nth, bounds.xy, x, y);
-    loop {
-        // Where no age touches the block, the last is added with no light.
-        let at = flame * FLAME_STEPS + min(firstTrailingBit(ages), FLAME_STEPS - 1u);
-        let fan = fan_at(at, inner, ages != 0u);
+    while ages != 0u {
+        let fan = fan_at(flame * FLAME_STEPS + firstTrailingBit(ages), inner);
         sum = Block(
             with_line(sum.a, fan, columns, line, (*near)[0], (*near)[1]),
             with_line(sum.b, fan, columns, line + 1.0f, (*near)[2], (*near)[3]),
             with_line(sum.c, fan, columns, line + 2.0f, (*near)[4], (*near)[5]),
             with_line(sum.d, fan, columns, line + 3.0f, (*near)[6], (*near)[7]),
         );
-        ages &= max(ages, 1u) - 1u;
-        if ages == 0u {
-            break;
-        }
+        ages &= ages - 1u;
     }
     return sum;
 }
@@ -260,29 +252,26 @@ fn light_block(tile: u32, x: u32, y: u32) {
     );
     let none = no_steps();
     var sums = array<Steps, 8>(none, none, none, none, none, none, none, none);
+    // The words of the tile that are not looked at yet, the one at hand, and what is left of its bits.
     var words = flame_tiles[tile];
-    loop {
-        let word = firstTrailingBit(words);
-        var bits = flame_tiles[tile + 1u + word];
-        loop {
-            let light = flame_light(word * 32u + firstTrailingBit(bits), x, y, &near);
-            sums[0] = with_light(sums[0], light.a.near);
-            sums[1] = with_light(sums[1], light.a.far);
-            sums[2] = with_light(sums[2], light.b.near);
-            sums[3] = with_light(sums[3], light.b.far);
-            sums[4] = with_light(sums[4], light.c.near);
-            sums[5] = with_light(sums[5], light.c.far);
-            sums[6] = with_light(sums[6], light.d.near);
-            sums[7] = with_light(sums[7], light.d.far);
-            bits &= bits - 1u;
-            if bits == 0u {
-                break;
-            }
+    var word = 0u;
+    var bits = 0u;
+    while (words | bits) != 0u {
+        if bits == 0u {
+            word = firstTrailingBit(words);
+            words &= words - 1u;
+            bits = flame_tiles[tile + 1u + word];
         }
-        words &= words - 1u;
-        if words == 0u {
-            break;
-        }
+        let light = flame_light(word * 32u + firstTrailingBit(bits), x, y, &near);
+        sums[0] = with_light(sums[0], light.a.near);
+        sums[1] = with_light(sums[1], light.a.far);
+        sums[2] = with_light(sums[2], light.b.near);
+        sums[3] = with_light(sums[3], light.b.far);
+        sums[4] = with_light(sums[4], light.c.near);
+        sums[5] = with_light(sums[5], light.c.far);
+        sums[6] = with_light(sums[6], light.d.near);
+        sums[7] = with_light(sums[7], light.d.far);
+        bits &= bits - 1u;
     }
     add_four(x, y, sums[0]);
     add_four(x + 4u, y, sums[1]);
