@@ -115,6 +115,25 @@ pub fn max_exact(a: f32, b: f32) -> f32 {
     if less(a, b) { snap(b) } else { snap(a) }
 }
 
+/// The larger of two, for sums with numbers so much larger that it makes no difference which of two
+/// is taken that are both less than 2^-40 away from zero.
+#[inline]
+pub fn larger(a: f32, b: f32) -> f32 {
+    if a < b { b } else { a }
+}
+
+/// The smaller of two, as [`larger`].
+#[inline]
+pub fn smaller(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
+/// `less(0, x)`.
+#[inline]
+pub fn is_positive(x: f32) -> bool {
+    x >= SMALLEST
+}
+
 /// `max_exact(x, 0.0)`.
 #[inline]
 pub fn at_least_zero(x: f32) -> f32 {

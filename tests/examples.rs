@@ -68,10 +68,49 @@ fn no_example_is_without_a_test() {
         [
             "compare_backends",
             "edit_while_running",
+            "flame_profile",
             "own_device",
             "step_and_read"
         ]
     );
+}
+
+#[test]
+fn p31_flame_profile_plots_the_picture_of_a_candle() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let mut plots = Vec::new();
+    for on in everywhere() {
+        let path = folder.path().join(format!("{on}.svg"));
+        let text = printed("flame_profile", &on, &[&path]);
+        assert!(names_the_adapter(&text, &on), "{text}");
+        plots.push(std::fs::read_to_string(path).expect("it is written"));
+    }
+    assert!(plots.iter().all(|plot| *plot == plots[0]));
+    // How high each curve is above the foot, where 255 is 1.
+    let curve = |color: &str| -> Vec<f64> {
+        let (_, rest) = plots[0]
+            .split_once(&format!("id=\"{color}\" points=\""))
+            .expect("it is there");
+        let (points, _) = rest.split_once('"').expect("it ends");
+        let heights = points
+            .split(' ')
+            .map(|point| point.split_once(',').expect("a pair").1);
+        heights
+            .map(|y| (280.0 - y.parse::<f64>().expect("a number")) / 240.0)
+            .collect()
+    };
+    let [red, green, blue] = ["red", "green", "blue"].map(curve);
+    assert!(red.len() > 40 && red.len() == green.len() && red.len() == blue.len());
+    for at in 0..red.len() {
+        assert!(red[at] >= green[at] && green[at] >= blue[at], "at {at}");
+    }
+    // At the edges the three are far apart; the core is as bright as a picture can be, red wider than green.
+    let saturated = |curve: &[f64]| curve.iter().filter(|y| **y > 0.999).count();
+    assert!(saturated(&red) > saturated(&green) + 4 && saturated(&green) > 0);
+    let quarter = red.len() / 4;
+    assert!(red[quarter] > green[quarter] + 0.1 && green[quarter] > blue[quarter] + 0.05);
+    let dark = |curve: &[f64]| curve[0].max(curve[curve.len() - 1]);
+    assert!(dark(&red) < 0.05, "{}", dark(&red));
 }
 
 #[test]

@@ -526,6 +526,7 @@ fn constants_agree_bit_for_bit() {
         motes::cpu::grid::CONSTANTS,
         motes::cpu::steering::CONSTANTS,
         motes::cpu::solid::CONSTANTS,
+        motes::gpu::FLAME_TILE_CONSTANTS,
     ]
     .concat()
     .into_iter()
@@ -537,7 +538,6 @@ fn constants_agree_bit_for_bit() {
         ("DISPATCH_WIDTH", motes::gpu::dispatch::DISPATCH_WIDTH),
         ("FAMILIES_END", buffer_len("cover_counts")),
         ("STATISTICS_LEN", buffer_len("statistics")),
-        ("GLOW_RUN", motes::gpu::GLOW_RUN),
         // Fields of 21, 21 and 22 bits fill a word of 64: devices alone pack light so.
         ("GREEN_AT", 21),
         ("BLUE_AT", 42),

@@ -3,7 +3,7 @@
 
 use glam::{Vec3, Vec4};
 
-use crate::exact::{at_least_zero, less, max_exact, shared_constants};
+use crate::exact::{at_least_zero, is_positive, larger, shared_constants, smaller};
 
 shared_constants! {
     /// Corners of the rim.
@@ -21,11 +21,11 @@ shared_constants! {
 #[inline]
 pub fn center_share(x: f32, y: f32) -> f32 {
     let (a, b) = (x.abs(), y.abs());
-    let (major, minor) = if less(a, b) { (b, a) } else { (a, b) };
+    let (major, minor) = (larger(a, b), smaller(a, b));
     let side_a = major * SIDE_A_X + minor * SIDE_A_Y;
     let side_b = major * SIDE_B_X + minor * SIDE_B_Y;
     let side_c = (major + minor) * SIDE_C;
-    at_least_zero(1.0 - max_exact(side_a, max_exact(side_b, side_c)))
+    at_least_zero(1.0 - larger(side_a, larger(side_b, side_c)))
 }
 
 /// The share that the centre of the inner layer has.
@@ -40,6 +40,6 @@ pub fn inner_share(share: f32, inverse_radius: f32) -> f32 {
 pub fn disc_light(center: Vec4, rim: Vec4, inner: [f32; 2], share: f32) -> Vec3 {
     let here = rim + (center - rim) * share;
     let both = here.w + (center.w * inner[0]) * inner_share(share, inner[1]);
-    let alpha = if less(0.0, share) { both } else { 0.0 };
+    let alpha = if is_positive(share) { both } else { 0.0 };
     here.truncate() * alpha
 }

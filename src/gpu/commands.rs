@@ -93,12 +93,26 @@ enum Work {
     FlameSteps,
     /// One a piece that flames may light, told how many.
     Pieces,
-    /// Page by page, as many for each flame as share it.
-    FlameShares,
-    /// In each pass of details, page by page: one a flame, and as many for each as share it.
+    /// Page by page, as many for each strip as share it.
+    StripShares,
+    /// In each slice of flames: one a tile, one a flame, one in all, as many as that says.
+    FlameTiles,
+    /// As above.
+    SlicedFlames,
+    /// As above.
+    OnceSliced,
+    /// As above.
+    GlowBlocks,
+    /// In each pass of details, one a flame, page by page; then the same as of flames, slice by slice.
     DetailFlames,
     /// As above.
-    DetailShares,
+    DetailTiles,
+    /// As above.
+    SlicedDetails,
+    /// As above.
+    OnceDetails,
+    /// As above.
+    DetailBlocks,
     /// One for each point light that there may be, told how many fires there are.
     FlameLights,
     /// One for each point light of particles that there may be.
@@ -136,7 +150,9 @@ enum Turns {
     Sort,
     /// In each round of what covers.
     Rounds,
-    /// In each pass of flames' details.
+    /// In each slice of flames.
+    Slices,
+    /// In each pass of flames' details, and slice of these.
     Details,
 }
 
@@ -146,7 +162,14 @@ impl Work {
             Self::SortRuns | Self::SortDigits | Self::SortOnce => Some(Turns::Sort),
             Self::TreeSlots | Self::TreeOnce | Self::TreeBorne => Some(Turns::Tree),
             Self::Round(_) => Some(Turns::Rounds),
-            Self::DetailFlames | Self::DetailShares => Some(Turns::Details),
+            Self::FlameTiles | Self::SlicedFlames | Self::OnceSliced | Self::GlowBlocks => {
+                Some(Turns::Slices)
+            }
+            Self::DetailFlames
+            | Self::DetailTiles
+            | Self::SlicedDetails
+            | Self::OnceDetails
+            | Self::DetailBlocks => Some(Turns::Details),
             _ => None,
         }
     }
@@ -582,8 +605,23 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
     },
     KernelUse {
         stage: Stage::Glow,
+        kernel: "draw/clear_flame_tiles",
+        work: Work::FlameTiles,
+    },
+    KernelUse {
+        stage: Stage::Glow,
+        kernel: "draw/bin_flames",
+        work: Work::SlicedFlames,
+    },
+    KernelUse {
+        stage: Stage::Glow,
+        kernel: "draw/glow_work",
+        work: Work::OnceSliced,
+    },
+    KernelUse {
+        stage: Stage::Glow,
         kernel: "draw/glow",
-        work: Work::FlameShares,
+        work: Work::GlowBlocks,
     },
     KernelUse {
         stage: Stage::Glow,
@@ -592,8 +630,23 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
     },
     KernelUse {
         stage: Stage::Glow,
+        kernel: "draw/clear_flame_tiles",
+        work: Work::DetailTiles,
+    },
+    KernelUse {
+        stage: Stage::Glow,
+        kernel: "draw/bin_flames",
+        work: Work::SlicedDetails,
+    },
+    KernelUse {
+        stage: Stage::Glow,
+        kernel: "draw/glow_work",
+        work: Work::OnceDetails,
+    },
+    KernelUse {
+        stage: Stage::Glow,
         kernel: "draw/glow",
-        work: Work::DetailShares,
+        work: Work::DetailBlocks,
     },
     KernelUse {
         stage: Stage::Strips,
@@ -603,7 +656,7 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
     KernelUse {
         stage: Stage::Strips,
         kernel: "draw/strips",
-        work: Work::FlameShares,
+        work: Work::StripShares,
     },
     KernelUse {
         stage: Stage::Resolve,
@@ -625,24 +678,16 @@ pub(super) fn is_used(kernel: &str, plan: &Plan) -> bool {
     stages.clone().next().is_none() || stages.any(|stage| plan.has(stage))
 }
 
-/// Pixels in a line that an invocation sums at a time: that of `wgsl/draw/glow.wgsl`.
-pub const GLOW_RUN: u32 = 8;
-
-/// Invocations that share a flame: many where flames are few, and never so few that one turns its
+/// Invocations that share a strip: many where flames are few, and never so few that one turns its
 /// loops more often than drivers let it, even where every flame fills the picture, of so many runs of
 /// pixels.
 fn shares_of(plan: &Plan, runs: u32) -> u32 {
     const MOST_TURNS: u32 = 48_000;
-    // One for each disc of a flame or place of a strip, and its own.
+    // One for each place of a strip, and its own.
     const TURNS_A_RUN: u32 = FLAME_STEPS + 1;
     let needed = runs.div_ceil(MOST_TURNS / TURNS_A_RUN);
     let wanted = if plan.flame_count > 1024 { 64 } else { 256 };
     needed.max(wanted).next_power_of_two()
-}
-
-/// Invocations that share a flame of discs.
-fn glow_shares_of(plan: &Plan) -> u32 {
-    shares_of(plan, plan.width.div_ceil(GLOW_RUN) * plan.height)
 }
 
 /// Invocations that share a strip, which take single pixels.
@@ -744,7 +789,10 @@ impl GpuBackend {
             let turns = match group[0].work.turns() {
                 Some(Turns::Tree) => plan.tree_levels,
                 Some(Turns::Sort) => sort::PASSES,
-                Some(Turns::Details) => plan.detail_passes,
+                Some(Turns::Slices) => self.memory.flame_tiling.slices.len() as u32,
+                Some(Turns::Details) => {
+                    plan.detail_passes * self.memory.flame_tiling.slices.len() as u32
+                }
                 Some(Turns::Rounds) => self.memory.tiling.rounds,
                 None => 1,
             };
@@ -769,6 +817,8 @@ impl GpuBackend {
         let kernel = kernel_use.kernel;
         let paging = self.memory.paging;
         let tiling = self.memory.tiling;
+        let flame_tiling = &self.memory.flame_tiling;
+        let slice_count = flame_tiling.slices.len() as u32;
         let swaps = kernel_use.work.turns() == Some(Turns::Sort) && turn % 2 == 1;
         let (here, there) = (&self.memory.pools[current], &self.memory.pools[1 - current]);
         let mut push = |source: usize, target: usize, immediates: &[u32], size: Size| {
@@ -880,9 +930,10 @@ impl GpuBackend {
             ),
             Work::FlameLights => push(0, 0, &[plan.fire_count], direct(FLAME_LIGHTS)),
             Work::Clusters => push(0, 0, &[], direct(CLUSTER_LIGHTS)),
+            Work::DetailFlames if !turn.is_multiple_of(slice_count) => Ok(()),
             Work::FlameDiscs | Work::DetailFlames => {
                 let DetailPass { octave, copy } = match kernel_use.work {
-                    Work::DetailFlames => DetailPass::nth(turn),
+                    Work::DetailFlames => DetailPass::nth(turn / slice_count),
                     _ => DetailPass::default(),
                 };
                 (0..).zip(self.memory.flame_paging.pages()).try_for_each(
@@ -891,20 +942,33 @@ impl GpuBackend {
                     },
                 )
             }
-            Work::FlameShares | Work::DetailShares => {
-                let is_strip = kernel == "draw/strips";
-                let shares = match is_strip {
-                    true => strip_shares_of(plan),
-                    false => glow_shares_of(plan),
+            Work::FlameTiles
+            | Work::DetailTiles
+            | Work::SlicedFlames
+            | Work::SlicedDetails
+            | Work::OnceSliced
+            | Work::OnceDetails
+            | Work::GlowBlocks
+            | Work::DetailBlocks => {
+                let slice = flame_tiling.slices[(turn % slice_count) as usize];
+                let place = paging.spare_dispatch(3 + 3 * tiling.rounds);
+                let size = match kernel_use.work {
+                    Work::FlameTiles | Work::DetailTiles => direct(flame_tiling.tiles()),
+                    Work::SlicedFlames | Work::SlicedDetails => direct(slice.count),
+                    Work::OnceSliced | Work::OnceDetails => Size::Direct(1, 1),
+                    _ => Size::Indirect(place),
                 };
+                let told = flame_tiling.immediates(slice, place);
+                push(slice.page, 0, &told, size)
+            }
+            Work::StripShares => {
+                let shares = strip_shares_of(plan);
                 (0..).zip(self.memory.flame_paging.pages()).try_for_each(
                     |(page, (first, count))| {
                         // Where one page has all flames, no more than can be counted.
                         let countable = 1 << (u32::MAX / count.max(1)).ilog2();
                         let shares = shares.min(countable);
-                        let told = [count, shares, first];
-                        let known = if is_strip { 3 } else { 2 };
-                        push(page, 0, &told[..known], direct(count * shares))
+                        push(page, 0, &[count, shares, first], direct(count * shares))
                     },
                 )
             }

@@ -5,6 +5,7 @@ use std::iter;
 
 use super::commands::strip_shares_of;
 use super::device::GpuDevice;
+use super::flame_tiling::FlameTiling;
 use super::sort;
 use super::tiling::Tiling;
 use crate::backend::{BackendError, available_bytes};
@@ -68,7 +69,7 @@ impl Paging {
     }
 
     /// The sort's runs, then its pairs, then three for each round of what covers, then that of large
-    /// triangles.
+    /// triangles, then that of flames.
     pub(super) fn spare_dispatch(&self, place: u32) -> u32 {
         self.large_dispatch(self.page_count) + place
     }
@@ -151,6 +152,7 @@ pub(super) struct Memory {
     pub(super) paging: Paging,
     pub(super) flame_paging: FlamePaging,
     pub(super) tiling: Tiling,
+    pub(super) flame_tiling: FlameTiling,
     pub(super) pools: [Vec<wgpu::Buffer>; 2],
     /// For each page, the particles that are no small discs: two counts, their copies, indices.
     pub(super) large: Vec<wgpu::Buffer>,
@@ -178,6 +180,7 @@ impl Memory {
             .min(limits.max_buffer_size);
         let paging = Paging::new(plan.capacity, most_page_bytes.min(most_binding));
         let flame_paging = FlamePaging::new(plan, most_page_bytes.min(most_binding));
+        let flame_tiling = FlameTiling::new(tiling, [plan.width, plan.height], flame_paging);
         if paging.dispatches() > MOST_DISPATCHES {
             return Err(BackendError::Unsupported(format!(
                 "{} particles in pages of {} are too many pages",
@@ -205,8 +208,9 @@ impl Memory {
                 "ranked_covers" | "ranked_bounds" if plan.uses.covers => tiling.slice,
                 "tile_bits" if plan.uses.covers => tiling.tiles() * (tiling.slice / 32),
                 "tile_summaries" if plan.uses.covers => tiling.tiles() * (tiling.slice / 1024),
+                "flame_tiles" if plan.flame_count > 0 => flame_tiling.words(),
                 "digit_counts" => sort::counts(plan.cover_capacity()),
-                "dispatches" => paging.dispatches() + 3 + 3 * tiling.rounds,
+                "dispatches" => paging.dispatches() + 4 + 3 * tiling.rounds,
                 _ => 0,
             };
             // Kernels load the first record of some before they know whether there is any.
@@ -238,6 +242,7 @@ impl Memory {
             paging,
             flame_paging,
             tiling,
+            flame_tiling,
             pools: [next(pages), next(pages)],
             large: next(pages),
             flames: FLAME_PAGED.map(|name| (name, next(flame_pages))).into(),

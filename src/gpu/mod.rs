@@ -10,6 +10,7 @@ mod adapter;
 mod commands;
 mod device;
 pub mod dispatch;
+mod flame_tiling;
 mod kernel;
 mod measured;
 mod memory;
@@ -54,8 +55,9 @@ use timing::Timer;
 #[cfg(feature = "view")]
 pub(crate) use adapter::named;
 pub use adapter::{AdapterDescription, adapters, open};
-pub use commands::{GLOW_RUN, KernelUse, STAGE_KERNELS, stages_of};
+pub use commands::{KernelUse, STAGE_KERNELS, stages_of};
 pub use device::GpuDevice;
+pub use flame_tiling::CONSTANTS as FLAME_TILE_CONSTANTS;
 pub use kernel::check_binding;
 pub use needs::{UnfitDevice, device_descriptor, required_features, required_limits};
 pub use options::{GpuOptions, Mutation};

@@ -146,6 +146,11 @@ impl Load {
         self.seen_covers.div_ceil(32)
     }
 
+    /// The same of flames.
+    fn flame_tile_words(&self) -> u64 {
+        self.flames.div_ceil(32)
+    }
+
     /// Bytes of what covers, read or written once in every pixel.
     fn covered(&self) -> u64 {
         if self.uses.covers {
@@ -418,6 +423,16 @@ static TABLE: &[Line] = &[
     ("draw/flame_discs", |load| {
         let each = FLAME + FLAME_PLACES + FLAME_DISCS + 4 * WORD;
         (load.flames, load.flames * each)
+    }),
+    ("draw/clear_flame_tiles", |load| {
+        (load.flame_tile_words(), load.flame_tile_words() * 2 * WORD)
+    }),
+    ("draw/bin_flames", |load| {
+        let bits = load.flame_tile_words() * WORD;
+        (load.flames, load.flames * 2 * WORD + bits)
+    }),
+    ("draw/glow_work", |_| {
+        (1, WORD + size_of::<Dispatch>() as u64)
     }),
     ("draw/glow", |load| {
         (load.flames, load.flames * (FLAME_DISCS + 4 * WORD))

@@ -618,6 +618,7 @@ pub static BUFFERS: &[Buffer] = {
         buffer_of("ranked_bounds", Scratch, "vec2<u32>", 8, Count::Backend),
         buffer_of("tile_bits", Scratch, "u32", 4, Count::Backend),
         buffer_of("tile_summaries", Scratch, "u32", 4, Count::Backend),
+        buffer_of("flame_tiles", Scratch, "u32", 4, Count::Backend),
         buffer_of("cover_rg", State, "vec2<u32>", 8, Count::CoveredPixels(1)),
         buffer_of("cover_bt", State, "vec2<u32>", 8, Count::CoveredPixels(1)),
         buffer_of("cover_front", State, "u32", 4, Count::FrontPixels),

@@ -240,14 +240,7 @@ fn listed_flame(flame: &crate::scene::ListedFlame) -> layout::ListedFlame {
 /// The look at an age: xfac = 0.67 + 0.4 sin(pi age/24), the height linear (3.2.2, footnote 1).
 fn look_at(fire: &Fire, age: u32) -> AgeLook {
     let share = age as f32 / STEPS_UP;
-    let Profile {
-        base_width,
-        swell,
-        base_height,
-        height_growth,
-    } = fire.profile;
-    let width = base_width + swell * sin_turns(0.5 * share);
-    let height = base_height + height_growth * age as f32;
+    let (width, height) = scale_at(&fire.profile, age);
     let mut stop = stop_at(&fire.ramp, share);
     if let Some([root, tip]) = fire.blackbody {
         let kelvin = root + (tip - root) * share;
@@ -259,6 +252,26 @@ fn look_at(fire: &Fire, age: u32) -> AgeLook {
         center: with(stop.center, stop.alpha),
         rim: with(stop.rim, stop.rim_alpha),
         scale: [width, height, 0.0, 0.0].map(snap),
+    }
+}
+
+/// How wide and how high a disc is at an age.
+fn scale_at(profile: &Profile, age: u32) -> (f32, f32) {
+    let share = age as f32 / STEPS_UP;
+    let stops = &profile.stops;
+    let after = stops.partition_point(|stop| stop.age <= share);
+    let before = after.checked_sub(1).and_then(|at| stops.get(at));
+    match (before, stops.get(after)) {
+        (None, None) => (
+            profile.base_width + profile.swell * sin_turns(0.5 * share),
+            profile.base_height + profile.height_growth * age as f32,
+        ),
+        (Some(end), None) | (None, Some(end)) => (end.width, end.height),
+        (Some(low), Some(high)) => {
+            let part = (share - low.age) / (high.age - low.age);
+            let mix = |a: f32, b: f32| a + (b - a) * part;
+            (mix(low.width, high.width), mix(low.height, high.height))
+        }
     }
 }
 

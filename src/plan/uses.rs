@@ -95,6 +95,12 @@ uses! {
     details "DETAILS";
     /// Particles of flames with a matrix.
     skews "SKEWS";
+    /// Particles of flames with a second layer.
+    inners "INNERS";
+    /// Strips that noise changes.
+    textures "TEXTURES";
+    /// Flames whose colours noise moves.
+    color_noises "COLOR_NOISES";
     /// Strips along flames.
     strips "STRIPS";
     /// Flocks with depth.
@@ -152,6 +158,11 @@ fn is_placed(system: &SystemFrame) -> bool {
         system.world_from_system_z,
     ];
     [x, y, z] != IDENTITY
+}
+
+/// Whether noise eats into its strips or moves their colours.
+fn has_texture(fire: &FireFrame) -> bool {
+    is_strip(fire) && (fire.look[1] > 0.0 || fire.strip[2] > 0.0)
 }
 
 fn is_solid(obstacle: &Obstacle) -> bool {
@@ -240,7 +251,10 @@ impl Uses {
             planet: !inputs.planets.is_empty(),
             details: inputs.fires.iter().any(|fire| fire.details[0] > 0.0),
             skews: inputs.fires.iter().any(has_matrix),
+            inners: inputs.fires.iter().any(|fire| fire.inner[0] > 0.0),
             strips: inputs.fires.iter().any(is_strip),
+            textures: inputs.fires.iter().any(has_texture),
+            color_noises: inputs.fires.iter().any(|fire| fire.look[1] > 0.0),
             ground: !inputs.grounds.is_empty(),
             surfaces: !inputs.surfaces.is_empty() || !inputs.pillars.is_empty(),
             grains: inputs

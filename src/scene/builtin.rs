@@ -111,6 +111,10 @@ pub const BUILTIN_FILES: &[(&str, &[u8])] = &[
         include_bytes!("../../scenes/meshes/paper.obj"),
     ),
     (
+        "meshes/torch.obj",
+        include_bytes!("../../scenes/meshes/torch.obj"),
+    ),
+    (
         "meshes/torus-knot.obj",
         include_bytes!("../../scenes/meshes/torus-knot.obj"),
     ),

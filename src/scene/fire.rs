@@ -202,7 +202,7 @@ pub struct ListedFlame {
 }
 
 /// How a flame's discs are scaled by age, 0 to 24 (Perry 1994, 3.2.2, footnote 1).
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Profile {
     /// The width at both ends, 0 ..= 100. Default 0.67.
     pub base_width: f32,
@@ -212,6 +212,19 @@ pub struct Profile {
     pub base_height: f32,
     /// What each step adds to it, 0 ..= 10. Default 0.032.
     pub height_growth: f32,
+    /// Scales by age that count instead, in ascending order of ages, at most 16. Default none.
+    pub stops: Vec<ProfileStop>,
+}
+
+/// How a flame's disc is scaled at an age (Perry 1994, 3.2.1).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ProfileStop {
+    /// Share of the trajectory, 0 ..= 1.
+    pub age: f32,
+    /// The width, 0 ..= 100.
+    pub width: f32,
+    /// The height, 0.001 ..= 100.
+    pub height: f32,
 }
 
 /// What a particle's disc looks like at an age.

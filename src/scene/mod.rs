@@ -45,7 +45,8 @@ pub use error::SceneError;
 pub(crate) use error::shortened;
 pub use extinction::{Extinction, Side};
 pub use fire::{
-    Burning, Fire, FireLights, FlameForm, LightFrom, ListedFlame, Profile, RampStop, Roots,
+    Burning, Fire, FireLights, FlameForm, LightFrom, ListedFlame, Profile, ProfileStop, RampStop,
+    Roots,
 };
 pub use flock::{
     BoidShape, Corners, Dimensions, Edges, Flock, Goal, Obstacle, ObstacleShape, Relation,

@@ -79,6 +79,30 @@ fn p82_from_four_times_as_near_it_is_as_bright() {
 }
 
 #[test]
+fn p82_what_is_seen_from_near_has_details_that_are_not_seen_from_afar() {
+    // How much neighbouring pixels differ beside what a plane through their neighbours has, as a share of the
+    // light.
+    let grain = |more: &str, nearer: f64| {
+        let mut scene = upright(more);
+        let half = (22.5f64.to_radians().tan() / nearer).atan();
+        scene.camera.vertical_fov_degrees = (2.0 * half).to_degrees() as f32;
+        let light = drawn(&scene, 5).light;
+        let at = |x: usize, y: usize| light[y * 160 + x][0];
+        let (mut sum, mut whole) = (0.0, 0.0);
+        for y in 1..119 {
+            for x in 1..159 {
+                let around = at(x - 1, y) + at(x + 1, y) + at(x, y - 1) + at(x, y + 1);
+                sum += (4.0 * at(x, y) - around).abs();
+                whole += at(x, y);
+            }
+        }
+        sum / whole
+    };
+    let more = |nearer: f64| grain(DETAILS, nearer) / grain("", nearer);
+    assert!(more(4.0) > 1.5, "{}", more(4.0));
+}
+
+#[test]
 fn p79_a_flame_can_have_the_colours_of_what_is_hot() {
     let hot = drawn(&upright("blackbody = [2400, 1200]\n"), 0).discs;
     let of = |colors: [u32; 4]| colors.map(|bits| f64::from(f32::from_bits(bits)));
@@ -102,6 +126,49 @@ fn p79_a_flame_can_have_the_colours_of_what_is_hot() {
         (1..25).all(|age| green(age) < green(age - 1)),
         "it cools down"
     );
+}
+
+#[test]
+fn p23_scales_can_be_told_by_age() {
+    let stop = |age: f64, width: f64, height: f64| {
+        format!("[[fire.profile]]\nage = {age}\nwidth = {width}\nheight = {height}\n")
+    };
+    // A neck between two bulbs, which no sine makes.
+    let profile = [
+        stop(0.25, 1.5, 0.5),
+        stop(0.5, 0.25, 1.25),
+        stop(0.75, 1.0, 0.75),
+    ];
+    let scene = flame(&format!("height = 0.9\nwidth = 0.3\n{}", profile.concat()));
+    let wanted = |age: usize| {
+        let x = [0.25, 0.5, 0.75];
+        let share = (age as f64 / 24.0).clamp(0.25, 0.75);
+        let at = if share < 0.5 { 0 } else { 1 };
+        let part = (share - x[at]) / 0.25;
+        let mix = |table: [f64; 3]| table[at] * (1.0 - part) + table[at + 1] * part;
+        [mix([1.5, 0.25, 1.0]), mix([0.5, 1.25, 0.75])]
+    };
+    let looks = plan(&scene).inputs(0).age_looks;
+    let discs = drawn(&scene, 0).discs;
+    let extents = |age: usize| {
+        let [_, _, across, along] = discs[age].place.map(f32::from_bits);
+        [1.0 / f64::from(across), 1.0 / f64::from(along)]
+    };
+    let unit = extents(0)[0] / 1.5;
+    assert_eq!(looks.len(), 25);
+    for (age, look) in looks.iter().enumerate() {
+        let got = [look.scale[0], look.scale[1]].map(f64::from);
+        for axis in 0..2 {
+            let wanted = wanted(age)[axis];
+            assert!((got[axis] - wanted).abs() < 1e-6, "{got:?} at {age}");
+            // It comes to the picture: all are as far from the viewer.
+            let drawn = extents(age)[axis] / unit;
+            assert!(
+                (drawn - wanted).abs() < 2e-3,
+                "{drawn}, not {wanted} at {age}"
+            );
+        }
+    }
 }
 
 #[test]

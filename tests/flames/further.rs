@@ -34,52 +34,66 @@ fn p79_noise_moves_particles_along_the_ramp() {
     assert!(moved.count() >= 5);
 }
 
-/// How many pieces the pixels that are bright enough make, at a corner or a side of each other.
-fn pieces(light: &[[f64; 3]], width: usize, least: f64) -> usize {
+/// The pieces that pixels which are bright enough make, at a corner or a side of each other: how high the
+/// mean of each is above the foot of the picture and how high its foot is, in pixels.
+fn pieces(light: &[[f64; 3]], width: usize, least: f64) -> Vec<[f64; 2]> {
     let mut open: Vec<bool> = light.iter().map(|pixel| pixel[0] > least).collect();
-    let mut count = 0;
+    let height = open.len() / width;
+    let mut pieces = Vec::new();
     for start in 0..open.len() {
         let mut reached = vec![start];
-        let mut size = 0;
+        let (mut size, mut sum, mut foot) = (0.0, 0.0, f64::MAX);
         while let Some(at) = reached.pop() {
             if !std::mem::take(&mut open[at]) {
                 continue;
             }
-            size += 1;
-            let (x, y) = ((at % width) as i64, (at / width) as i64);
-            for (dx, dy) in [
-                (-1, 0),
-                (1, 0),
-                (0, -1),
-                (0, 1),
-                (1, 1),
-                (-1, -1),
-                (1, -1),
-                (-1, 1),
-            ] {
-                let (x, y) = (x + dx, y + dy);
-                let inside = (0..width as i64).contains(&x) && y >= 0;
-                let at = y as usize * width + x as usize;
-                if inside && at < open.len() {
-                    reached.push(at);
-                }
+            let (x, y) = (at % width, at / width);
+            let above = (height - y) as f64;
+            size += 1.0;
+            sum += above;
+            foot = foot.min(above);
+            for y in y.saturating_sub(1)..(y + 2).min(height) {
+                reached.extend((x.saturating_sub(1)..(x + 2).min(width)).map(|x| y * width + x));
             }
         }
-        count += usize::from(size > 3);
+        if size > 3.0 {
+            pieces.push([sum / size, foot]);
+        }
     }
-    count
+    pieces
 }
 
 #[test]
 fn p81_tips_part_and_rise_where_noise_colours() {
     let scene = |noise: &str| flame(&format!("height = 1\nwidth = 0.12\n{noise}"));
-    let parted = |noise: &str| {
+    // The mean height of the one piece that is above the flame, where there is one.
+    let tips = |noise: &str| -> Vec<Option<f64>> {
         let scene = scene(noise);
-        let frames = (0..100).filter(|frame| pieces(&drawn(&scene, *frame).light, 160, 0.08) > 1);
-        frames.count()
+        let tip = |frame: u32| {
+            let mut pieces = pieces(&drawn(&scene, frame).light, 160, 0.08);
+            pieces.sort_by(|a, b| a[1].total_cmp(&b[1]));
+            match pieces[..] {
+                [_, [mean, _]] => Some(mean),
+                _ => None,
+            }
+        };
+        (0..100).map(tip).collect()
     };
-    assert_eq!(parted(""), 0);
-    assert!(parted("color_noise = 1.5\ncolor_noise_scale = 5") >= 1);
+    assert!(tips("").iter().all(Option::is_none));
+    let tips = tips("color_noise = 1.5\ncolor_noise_scale = 5");
+    let parted = tips.iter().flatten().count();
+    // From frame to frame, as long as it is the same one.
+    let steps: Vec<f64> = tips
+        .windows(2)
+        .filter_map(|two| Some(two[1]? - two[0]?))
+        .filter(|step| step.abs() < 4.0)
+        .collect();
+    let count = |of: fn(&&f64) -> bool| steps.iter().filter(of).count();
+    let (rising, sinking) = (count(|step| **step > 0.0), count(|step| **step < 0.0));
+    let mean = steps.iter().sum::<f64>() / steps.len() as f64;
+    assert!(parted >= 20 && steps.len() >= 15, "{parted} frames of 100");
+    assert!(rising > 3 * sinking, "{rising} rise, {sinking} sink");
+    assert!(mean > 0.1, "{mean} pixels a frame");
 }
 
 #[test]

@@ -32,6 +32,28 @@ fn p44_everything_is_the_same_stage_by_stage() {
 }
 
 #[test]
+fn p44_plain_flames_are_the_same_though_each_block_has_other_ages() {
+    for name in ["candle", "torch"] {
+        let mut scene = motes::scene::load(name).expect("it is built in");
+        (scene.image.width, scene.image.height) = (200, 150);
+        let plan = plan(&scene);
+        let frames = frames_of(&plan, 2);
+        for tile_px in [0, 8, 32] {
+            let options = GpuOptions {
+                tile_px,
+                ..GpuOptions::default()
+            };
+            on_each_adapter(|on, device| {
+                let mut gpu = on_gpu(device, &plan, &options);
+                if let Err(difference) = compare_run(&frames, &mut gpu, &mut on_cpu(&plan)) {
+                    panic!("{name} on {on}: {difference}");
+                }
+            });
+        }
+    }
+}
+
+#[test]
 fn p76_more_flames_than_a_page_holds_are_the_same_as_fewer() {
     // Kindled one after the other, so slowly that a flame's number times the frames of it passes 2^32.
     let scene = scene_with(

@@ -25,6 +25,7 @@ fn a_fire_alone_is_a_scene_with_the_documented_defaults() {
         swell: 0.4,
         base_height: 0.3,
         height_growth: 0.032,
+        stops: vec![],
     };
     assert_eq!(own.profile, profile);
     assert_eq!((own.start_speed, own.normalised), (1.0, true));
@@ -133,6 +134,13 @@ fn fires_that_are_at_odds_with_themselves_are_refused() {
         (
             fire(&format!("{FLAME}{}{}", stop("0.5"), stop("0.5"))),
             "`fire.a.ramp.1.age` is 0.5, not more than the one before",
+        ),
+        (
+            fire(&format!(
+                "{FLAME}{0}{0}",
+                "[[fire.profile]]\nage = 0.25\nwidth = 1\nheight = 1\n"
+            )),
+            "`fire.a.profile.1.age` is 0.25, not more than the one before",
         ),
         (
             many.replacen("\"a\"", "\"b\"", 1),

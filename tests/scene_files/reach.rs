@@ -9,9 +9,9 @@ use motes::scene::{
     Extinction, Fire, FireLights, FireSpread, FlameForm, Flock, FluxFormula, FrontHeading,
     FrontLine, GenerationShape, Goal, Grain, GrainPattern, Ground, Ignition, Image, Inherit,
     Insertion, Integration, Intensity, Lamp, Layer, Light, LightFrom, ListedFlame, LitSurface,
-    Obstacle, ObstacleShape, ParticleShape, ParticleSpace, Pillar, Planet, Profile, Projection,
-    RampStop, Relation, RelationKind, Roots, Rule, Scene, Shading, ShutterWeighting, Side, Smoke,
-    Spread, SpreadLaw, StreakLight, System, Turbulence, Wind,
+    Obstacle, ObstacleShape, ParticleShape, ParticleSpace, Pillar, Planet, Profile, ProfileStop,
+    Projection, RampStop, Relation, RelationKind, Roots, Rule, Scene, Shading, ShutterWeighting,
+    Side, Smoke, Spread, SpreadLaw, StreakLight, System, Turbulence, Wind,
 };
 
 use crate::text::{FULL, MINIMAL, accepted};
@@ -431,6 +431,11 @@ fn fire() -> Fire {
             swell: 0.3,
             base_height: 0.25,
             height_growth: 0.05,
+            stops: vec![ProfileStop {
+                age: 0.75,
+                width: 1.5,
+                height: 0.875,
+            }],
         },
         start_speed: 3.0,
         normalised: false,

@@ -332,6 +332,10 @@ center = [1, 0.75, 0.5]
 rim = [0.5, 0.25, 0]
 alpha = 0.5
 rim_alpha = 0.125
+[[fire.profile]]
+age = 0.75
+width = 1.5
+height = 0.875
 [fire.spread]
 mesh = "cube"
 scale = 2
@@ -553,6 +557,7 @@ pub(crate) fn fields_of(section: &str) -> &'static [Field] {
                 "fire" => schema::FIRE,
                 "flame" => schema::FLAME,
                 "ramp" => schema::RAMP,
+                "profile" => schema::PROFILE,
                 "spread" => schema::SPREAD,
                 "ignition" => schema::IGNITION,
                 "formula" => schema::FORMULA,

@@ -29,6 +29,8 @@ const MOST_HALF_AXIS_PX: f32 = 16384.0f;
 const DETAILS: bool = #{DETAILS};
 // Whether some particles have a matrix.
 const SKEWS: bool = #{SKEWS};
+// Whether noise moves the colours of some flames.
+const COLOR_NOISES: bool = #{COLOR_NOISES};
 // Tells the noise of matrices from the one that bends flames.
 const MATRIX_TAG: u32 = 0x6d617472u;
 // Particles whose matrix shrinks areas more than to this are not drawn.
@@ -82,8 +84,10 @@ struct Colors {
 
 // The colours of a particle at that age and place.
 fn colors_of(fire: FireFrame, slot: u32, age: f32, p: vec3<f32>) -> Colors {
-    let at = p * fire.look.z + fire.noise.xyz;
-    let moved = age + noise(at, fire.kinds.z).w * fire.look.y;
+    var moved = age;
+    if COLOR_NOISES {
+        moved += noise(p * fire.look.z + fire.noise.xyz, fire.kinds.z).w * fire.look.y;
+    }
     let last = f32_of_u32(FLAME_STEPS - 1u);
     let index = clamp_exact(moved, 0.0f, last);
     let low = min(to_u32(index), FLAME_STEPS - 2u);

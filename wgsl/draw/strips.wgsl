@@ -18,6 +18,8 @@
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 // Whether surfaces hide what is behind them.
 const SURFACES: bool = #{SURFACES};
+// Whether noise changes any strip.
+const TEXTURES: bool = #{TEXTURES};
 
 struct Work {
     // Flames of a page.
@@ -48,7 +50,10 @@ fn add_to_limbs(at: u32, steps: u32) {
 
 // The light of the strip at an age and so many half-widths from its middle.
 fn texel(fire: FireFrame, slot: u32, index: u32, age: f32, across: f32, opacity: f32) -> vec3<f32> {
-    let turbulent = turbulence(fire, index, age, across);
+    var turbulent = 0.0f;
+    if TEXTURES {
+        turbulent = turbulence(fire, index, age, across);
+    }
     let share = middle_share(fire, age, across, turbulent);
     let moved = color_age(fire, age, turbulent);
     let low = min(to_u32(moved), FLAME_STEPS - 2u);

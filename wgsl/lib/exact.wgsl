@@ -69,6 +69,21 @@ fn max_exact(a: f32, b: f32) -> f32 {
     return select(snap(a), snap(b), less(a, b));
 }
 
+// The larger and the smaller of two, for sums with numbers so much larger that it makes no difference
+// which of two is taken that are both less than 2^-40 away from zero.
+fn larger(a: f32, b: f32) -> f32 {
+    return select(a, b, a < b);
+}
+
+fn smaller(a: f32, b: f32) -> f32 {
+    return select(b, a, a < b);
+}
+
+// less(0, x).
+fn is_positive(x: f32) -> bool {
+    return x >= SMALLEST;
+}
+
 // max_exact(x, 0).
 fn at_least_zero(x: f32) -> f32 {
     return select(0.0f, x, x >= SMALLEST);

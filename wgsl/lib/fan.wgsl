@@ -8,7 +8,7 @@
 // Reads and writes no buffers. Invariant: exact on every driver; twin of src/cpu/fan.rs.
 #define_import_path motes::fan
 
-#import motes::exact::{at_least_zero, less, max_exact}
+#import motes::exact::{at_least_zero, is_positive, larger, smaller}
 
 // Corners of the rim.
 const CORNERS: u32 = 20u;
@@ -34,13 +34,12 @@ fn center_share(x: f32, y: f32) -> f32 {
     // By symmetry, the sides of an eighth are enough.
     let a = abs(x);
     let b = abs(y);
-    let is_steep = less(a, b);
-    let major = select(a, b, is_steep);
-    let minor = select(b, a, is_steep);
+    let major = larger(a, b);
+    let minor = smaller(a, b);
     let side_a = major * SIDE_A_X + minor * SIDE_A_Y;
     let side_b = major * SIDE_B_X + minor * SIDE_B_Y;
     let side_c = (major + minor) * SIDE_C;
-    return at_least_zero(1.0f - max_exact(side_a, max_exact(side_b, side_c)));
+    return at_least_zero(1.0f - larger(side_a, larger(side_b, side_c)));
 }
 
 // The same at four places.
@@ -52,7 +51,7 @@ fn center_shares(x: vec4<f32>, y: vec4<f32>) -> vec4<f32> {
 
 // Which of the shares are of places inside.
 fn are_inside(share: vec4<f32>) -> vec4<bool> {
-    return vec4<bool>(less(0.0f, share.x), less(0.0f, share.y), less(0.0f, share.z), less(0.0f, share.w));
+    return vec4<bool>(is_positive(share.x), is_positive(share.y), is_positive(share.z), is_positive(share.w));
 }
 
 // The share that the centre of the inner layer has: the same distance, from another radius.
@@ -61,18 +60,27 @@ fn inner_share(share: f32, inverse_radius: f32) -> f32 {
 }
 
 // The sum with the light of a particle of these colours and opacities, where its centre has those
-// shares; none outside. A second layer (4.1) has `inner.x` times the opacity of the centre, and a
-// radius of which `inner.y` is the inverse.
-fn with_disc(sum: Lit, center: vec4<f32>, rim: vec4<f32>, inner: vec2<f32>, share: vec4<f32>) -> Lit {
-    let inward = center - rim;
+// shares; none outside.
+fn with_disc(sum: Lit, center: vec4<f32>, rim: vec4<f32>, share: vec4<f32>) -> Lit {
+    return with_alpha(sum, center, rim, share, rim.w + (center.w - rim.w) * share);
+}
+
+// The same with a second layer (4.1) of `inner.x` times the opacity of the centre, and a radius of
+// which `inner.y` is the inverse.
+fn with_two_discs(sum: Lit, center: vec4<f32>, rim: vec4<f32>, inner: vec2<f32>, share: vec4<f32>) -> Lit {
     let inner_shares = vec4<f32>(
         inner_share(share.x, inner.y),
         inner_share(share.y, inner.y),
         inner_share(share.z, inner.y),
         inner_share(share.w, inner.y),
     );
-    let both = rim.w + inward.w * share + (center.w * inner.x) * inner_shares;
-    let alpha = select(vec4<f32>(0.0f), both, are_inside(share));
+    let outer = rim.w + (center.w - rim.w) * share;
+    return with_alpha(sum, center, rim, share, outer + (center.w * inner.x) * inner_shares);
+}
+
+fn with_alpha(sum: Lit, center: vec4<f32>, rim: vec4<f32>, share: vec4<f32>, inside: vec4<f32>) -> Lit {
+    let inward = center.xyz - rim.xyz;
+    let alpha = select(vec4<f32>(0.0f), inside, are_inside(share));
     return Lit(
         sum.red + (rim.x + inward.x * share) * alpha,
         sum.green + (rim.y + inward.y * share) * alpha,

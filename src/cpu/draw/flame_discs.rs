@@ -32,8 +32,12 @@ fn half_axis(pixels: f32) -> (f32, f32) {
 /// The colours of centre and rim of a particle of that age at a place; `looks` are the fire's.
 #[inline]
 fn colors_of(fire: &FireFrame, looks: &[AgeLook], age: f32, p: Vec3) -> [Vec4; 2] {
-    let at = p * fire.look[2] + Vec3::from_slice(&fire.noise);
-    let moved = age + noise(at, fire.kinds[2]).w * fire.look[1];
+    let mut moved = age;
+    // Noise that moves nothing is worth no time.
+    if less(0.0, fire.look[1]) {
+        let at = p * fire.look[2] + Vec3::from_slice(&fire.noise);
+        moved += noise(at, fire.kinds[2]).w * fire.look[1];
+    }
     let last = f32_of_u32(FLAME_STEPS - 1);
     let index = clamp_exact(moved, 0.0, last);
     let low = to_u32(index).min(FLAME_STEPS - 2);

@@ -101,16 +101,19 @@ pub(in crate::scene) fn fire(fire: &Fire, table: &Reader<'_>) -> Result<(), Scen
         let help = "at least one table with age, center, rim and alpha";
         return Err(table.at("ramp").error(what, help));
     }
-    let ascends = |two: &[crate::scene::RampStop]| two[0].age < two[1].age;
-    if let Some(at) = fire.ramp.windows(2).position(|two| !ascends(two)) {
-        let what = format!(
-            "`{}.{}.age` is {}, not more than the one before",
-            table.path_of("ramp"),
-            at + 1,
-            fire.ramp[at + 1].age
-        );
-        let help = "ages in ascending order";
-        return Err(table.at("ramp").error(what, help));
+    let ramp: Vec<f32> = fire.ramp.iter().map(|stop| stop.age).collect();
+    let profile: Vec<f32> = fire.profile.stops.iter().map(|stop| stop.age).collect();
+    for (key, ages) in [("ramp", ramp), ("profile", profile)] {
+        if let Some(at) = ages.windows(2).position(|two| two[0] >= two[1]) {
+            let what = format!(
+                "`{}.{}.age` is {}, not more than the one before",
+                table.path_of(key),
+                at + 1,
+                ages[at + 1]
+            );
+            let help = "ages in ascending order";
+            return Err(table.at(key).error(what, help));
+        }
     }
     Ok(())
 }

@@ -3,11 +3,11 @@
 use crate::scene::check;
 use crate::scene::files::Files;
 use crate::scene::read::{Reader, Spot};
-use crate::scene::schema::{FIRE, FLAME, RAMP};
+use crate::scene::schema::{FIRE, FLAME, PROFILE, RAMP};
 use crate::scene::values::{Quantity, choice, list, signed32, spread, text, variant, whole32};
 use crate::scene::{
-    Burning, Fire, FireLights, FlameForm, LightFrom, ListedFlame, Profile, RampStop, Roots,
-    SceneError,
+    Burning, Fire, FireLights, FlameForm, LightFrom, ListedFlame, Profile, ProfileStop, RampStop,
+    Roots, SceneError,
 };
 
 /// Reads all fires.
@@ -37,6 +37,7 @@ fn fire(at: usize, spot: &Spot<'_>, files: &Files) -> Result<Fire, SceneError> {
             swell: table.must("swell", Quantity::read)?,
             base_height: table.must("base_height", Quantity::read)?,
             height_growth: table.must("height_growth", Quantity::read)?,
+            stops: table.must("profile", |spot| list(spot, |_, spot| profile_stop(spot)))?,
         },
         start_speed: table.must("start_speed", Quantity::read)?,
         normalised: table.must("speed", choice)? == 0,
@@ -116,6 +117,15 @@ fn flame(spot: &Spot<'_>) -> Result<ListedFlame, SceneError> {
         width: table.may("width", Quantity::read)?,
         brightness: table.must("brightness", Quantity::read)?,
         first_frame: table.may("first_frame", signed32)?,
+    })
+}
+
+fn profile_stop(spot: &Spot<'_>) -> Result<ProfileStop, SceneError> {
+    let table = Reader::new(spot.path.clone(), PROFILE, spot.node)?;
+    Ok(ProfileStop {
+        age: table.must("age", Quantity::read)?,
+        width: table.must("width", Quantity::read)?,
+        height: table.must("height", Quantity::read)?,
     })
 }
 

@@ -20,6 +20,7 @@ pub const FIRE: &[Field] = &[
     default("swell", numbers(1, 0.0, 100.0), "0.4", "a share of the width", "what a half sine over the 25 steps adds to that", "Perry 3.2.2"),
     default("base_height", numbers(1, 0.001, 100.0), "0.3", "a share of the width", "scale of a particle's height at the root", "Perry 3.2.2"),
     default("height_growth", numbers(1, 0.0, 10.0), "0.032", "a share of the width", "what each step adds to that", "Perry 3.2.2"),
+    default("profile", Kind::Tables { fields: PROFILE, max: 16 }, "[]", "", "scales of a particle by age, one `[[fire.profile]]` each, in ascending order of ages, linear between them; those of the four keys before this count where there is none", "Perry 3.2.1"),
     default("speed", Kind::Choice(&["normalised", "free"]), "\"normalised\"", "", "whether all steps of a flame are of one length, as in fires, or not, as in candles", "Perry 3.2.3"),
     default("start_speed", numbers(1, 0.0, 1e4), "1", "steps", "how fast a flame leaves its root, along the normal, where speeds are free", "Perry 3.2.3"),
     keyed(default("buoyancy", numbers(1, -1e4, 1e4), "1", "", "k_g, how strongly hot air rises", "Perry 3.2.3")),
@@ -100,6 +101,14 @@ pub const RAMP: &[Field] = &[
     required("rim", LIGHT, "[1, 0.3, 0.05]", "red, green, blue", "colour of its rim", "Perry 3.2.1"),
     required("alpha", numbers(1, 0.0, 1.0), "0.25", "0 invisible, 1 opaque", "opacity of the centre; light adds up to saturation", "Perry 3.2.2"),
     default("rim_alpha", numbers(1, 0.0, 1.0), "0", "0 invisible, 1 opaque", "opacity of the rim", "Perry 3.2.1"),
+];
+
+/// Keys of each `[[fire.profile]]`.
+#[rustfmt::skip] // one row a line
+pub const PROFILE: &[Field] = &[
+    required("age", numbers(1, 0.0, 1.0), "0.5", "a share of the trajectory", "where along the flame this holds", "Perry 3.2.1"),
+    required("width", numbers(1, 0.0, 100.0), "1.07", "a share of the width", "scale of a particle's width", "Perry 3.2.1"),
+    required("height", numbers(1, 0.001, 100.0), "0.7", "a share of the width", "scale of its height", "Perry 3.2.1"),
 ];
 
 const EXTENT: Kind = numbers(1, 1e-6, 1e4);

@@ -4,8 +4,8 @@ use super::json::sentence;
 use super::{
     BURST, CAMERA, CHAR, EDGES, EXTINCTIONS, FIRE, FLAME, FLOCK, FORMULA, Field, GENERATION_SHAPES,
     GOAL, GRAIN, GROUND, IGNITION, IMAGE, INHERIT, Kind, LAMP, LAYER, LIGHT, LINE, Limits,
-    OBSTACLES, PILLAR, PLANET, Presence, RAMP, REGION, RELATIONS, ROOTS, SCENE, SMOKE, SPREAD,
-    SURFACE, SYSTEM, Variant, WINDS, parent_of,
+    OBSTACLES, PILLAR, PLANET, PROFILE, Presence, RAMP, REGION, RELATIONS, ROOTS, SCENE, SMOKE,
+    SPREAD, SURFACE, SYSTEM, Variant, WINDS, parent_of,
 };
 use crate::scene::expect::{digits, range};
 
@@ -110,6 +110,8 @@ pub fn reference_page() -> String {
     let about =
         "What the particle of a flame looks like at an age, inside the `[[fire]]` above it.";
     page += &section("`[[fire.ramp]]`", about, RAMP);
+    let about = "How the particle of a flame is squashed and stretched at an age, inside the `[[fire]]` above it.";
+    page += &section("`[[fire.profile]]`", about, PROFILE);
     let about = "How the `[[fire]]` above it spreads over a mesh: a front of control points, which goes \
                  straight on from face to face.";
     page += &section("`[fire.spread]`", about, SPREAD);

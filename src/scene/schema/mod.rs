@@ -12,7 +12,7 @@ mod markdown;
 mod rows;
 mod spread;
 
-pub use fires::{FIRE, FLAME, RAMP, ROOTS};
+pub use fires::{FIRE, FLAME, PROFILE, RAMP, ROOTS};
 pub use flocks::{EDGES, FLOCK, GOAL, OBSTACLES, REGION, RELATIONS};
 pub use json::json_schema;
 pub use keys::{
