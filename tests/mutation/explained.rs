@@ -169,6 +169,8 @@ static EXPLAINED: &[Explanation] = &[
     ("particles/cull", "cull: particles[first].velocity_and_birth -> member position_and_index", "an age that is too great has each particle looked at, with the same end"),
     ("particles/cull", "cull: ? = (oldest < _.least_lifetime) -> omitted", "each particle is looked at, with the same end"),
     ("particles/cull", "cull: (end - first) -> Add", "first is a multiple of 32, and shifts are counted modulo 32"),
+    ("scan/pages", "pages: 0u -> 4294967295u", "rounding up to workgroups wraps it to none"),
+    ("scan/pages", "reaching: ((present + 31u) / 32u) -> Multiply", "a search through more words ends at the same one, or beyond the page, where what is present is less"),
     ("particles/advance", "advance: (at >= page_len) -> Greater", "workgroups of the trials divide pages: no invocation goes past one"),
     ("particles/advance", "advance: 1u -> 0u in (page_len - 1u)", "workgroups of the trials divide pages: no invocation goes past one"),
     ("particles/advance", "advance: (page_len - 1u) -> Add", "workgroups of the trials divide pages: no invocation goes past one"),
