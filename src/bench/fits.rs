@@ -108,15 +108,13 @@ pub fn fits(runs: &[&Run]) -> Vec<Fit> {
             Fit::of(&heavy.name, heavy.part, &points)
         })
         .collect();
-    let sums: [(&str, fn(&Run) -> f64); 3] = [
-        ("whole step", |run| run.step_ms.median),
-        ("whole draw", |run| run.draw_ms.median),
-        ("whole frame", |run| run.frame_ms.median),
-    ];
-    fits.extend(sums.iter().filter_map(|(name, ms)| {
+    let whole = |name: &str, ms: fn(&Run) -> f64| {
         let points: Vec<[f64; 2]> = runs.iter().map(|run| [count(run), ms(run)]).collect();
         Fit::of(name, None, &points)
-    }));
+    };
+    fits.extend(whole("whole step", |run| run.step_ms.median));
+    fits.extend(whole("whole draw", |run| run.draw_ms.median));
+    fits.extend(whole("whole frame", |run| run.frame_ms.median));
     fits
 }
 
