@@ -341,3 +341,63 @@ region = { min = [0, 0, 0], max = [5, 3, 0] }
     let stderr = run("sparks.toml", &[]);
     assert!(!stderr.contains(nothing), "{stderr}");
 }
+
+/// What there is no room for is told by its kind, with the key that gives it room.
+#[test]
+fn what_finds_no_room_is_told_with_the_key_that_helps() {
+    let here = Workshop::new();
+    let scene = |more: &str| {
+        format!(
+            r#"frames = 6
+{more}
+[image]
+width = 32
+height = 18
+[camera]
+position = [0, 0, 9]
+target = [0, 0, 0]
+[[system]]
+name = "parent"
+initial_mean_parts = 3
+generation_shape = {{ kind = "sphere", radius = 1 }}
+speed = 0.1
+lifetime = 20
+color = [0, 0, 0]
+size = 1
+[[system]]
+name = "child"
+parent = "parent"
+initial_mean_parts = 5
+generation_shape = {{ kind = "sphere", radius = 0.1 }}
+speed = 0.1
+lifetime = 20
+color = [1, 1, 1]
+size = 0.1
+"#
+        )
+    };
+    let said = |more: &str| {
+        here.write("tree.toml", scene(more));
+        let ended = here.run(&["render", "tree.toml", "--adapter", "cpu", "-o", "all"]);
+        assert_eq!(ended.code, 0, "{}", ended.stderr);
+        ended.stderr
+    };
+    let (systems, particles) = ("systems found no room", "births were dropped");
+    let text = said("max_systems = 4");
+    assert!(
+        text.contains(systems) && text.contains("`max_systems` (4)"),
+        "{text}"
+    );
+    assert!(!text.contains(particles), "{text}");
+    let text = said("capacity = 30");
+    assert!(
+        text.contains(particles) && text.contains("`capacity` ("),
+        "{text}"
+    );
+    assert!(!text.contains(systems), "{text}");
+    let text = said("");
+    assert!(
+        !text.contains(systems) && !text.contains(particles),
+        "{text}"
+    );
+}

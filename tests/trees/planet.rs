@@ -52,6 +52,10 @@ fn r63_a_particle_behind_the_disc_is_hidden_and_one_past_the_limb_is_seen() {
         [4.0, 3.0, -20.0],
         [9.0, 0.0, 3.0],
         [0.0, -9.8, 0.0],
+        // Just behind its plane, all over the disc.
+        [5.0, 0.0, 3.32],
+        [-3.0, -6.0, 3.32],
+        [0.0, 8.5, 3.32],
     ] {
         assert!(at(place, "") > 200, "{place:?} can be seen");
         assert_eq!(at(place, PLANET), 0, "{place:?} is hidden");
@@ -61,13 +65,17 @@ fn r63_a_particle_behind_the_disc_is_hidden_and_one_past_the_limb_is_seen() {
         [9.0, 1.0, 4.6],
         [0.0, 13.0, -2.0],
         [-14.0, 0.0, -5.0],
+        // Just before its plane.
+        [5.0, 0.0, 3.35],
+        [-3.0, -6.0, 3.35],
+        [0.0, 8.5, 3.35],
     ] {
         assert_eq!(at(place, PLANET), at(place, ""), "{place:?}");
     }
 }
 
 #[test]
-fn r63_a_hundred_thousand_particles_are_on_the_side_of_the_plane_that_they_are_on() {
+fn r63_of_a_hundred_thousand_particles_those_behind_the_disc_are_lost() {
     let many = "size = 0.02
         generation_shape = { kind = \"box\", length = 30, width = 30, height = 40 }";
     let mut with = scene(many, PLANET);

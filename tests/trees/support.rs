@@ -79,7 +79,7 @@ impl Run {
         self.frame = self.frame.wrapping_add(1);
     }
 
-    fn read<T: bytemuck::Pod>(&mut self, name: &str) -> Vec<T> {
+    pub(crate) fn read<T: bytemuck::Pod>(&mut self, name: &str) -> Vec<T> {
         bytemuck::pod_collect_to_vec(&self.backend.read(name).expect("it can be read"))
     }
 

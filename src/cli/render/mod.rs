@@ -265,6 +265,14 @@ fn say_what_went_wrong(summary: &Summary, simulation: &Simulation) {
             simulation.plan().capacity
         );
     }
+    if summary.dropped_systems > 0 {
+        let plan = simulation.plan();
+        note!(
+            "motes: {} systems found no room, and bore nothing; raise the scene's `max_systems` ({})",
+            summary.dropped_systems,
+            plan.system_count - plan.own_system_count
+        );
+    }
     if summary.dropped_points > 0 {
         note!(
             "motes: {} control points found no room; raise `max_points` of the fires that spread",

@@ -8,6 +8,8 @@ use crate::output::Picture;
 pub(super) struct Summary {
     /// Births left out for want of room.
     pub(super) dropped: u64,
+    /// Systems that others would have borne, left out for want of room.
+    pub(super) dropped_systems: u64,
     /// Control points that found no room.
     pub(super) dropped_points: u64,
     /// Most that lived after a frame: particles, control points, boids or flames.
@@ -25,7 +27,8 @@ impl Summary {
     pub(super) fn count(&mut self, lines: &[FrameStats]) {
         for line in lines {
             self.dropped += u64::from(line.dropped);
-            self.dropped += u64::from(line.systems_requested.saturating_sub(line.systems_born));
+            self.dropped_systems +=
+                u64::from(line.systems_requested.saturating_sub(line.systems_born));
             self.dropped_points +=
                 u64::from(line.points_requested.saturating_sub(line.points_born));
             self.most_live = self.most_live.max(line.live).max(line.points_live);
