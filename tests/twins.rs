@@ -16,16 +16,6 @@ fn small_pages() -> GpuOptions {
     }
 }
 
-/// Runs the frames on each adapter in lockstep with the processor.
-fn assert_twins(plan: &Plan, frames: &[FrameInputs], options: &GpuOptions) {
-    on_each_adapter(|name, device| {
-        let mut gpu = on_gpu(device, plan, options);
-        if let Err(difference) = compare_run(frames, &mut gpu, &mut on_cpu(plan)) {
-            panic!("{name}: {difference}");
-        }
-    });
-}
-
 #[test]
 fn everything_is_the_same_stage_by_stage() {
     let scene = everything();

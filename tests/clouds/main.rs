@@ -11,7 +11,7 @@ use motes::plan::{Plan, Stage};
 use motes::scene::Scene;
 use motes::simulation::{AdapterChoice, Options, ParticleState, Simulation};
 
-use common::{compare_run, frames_of, on_cpu, on_each_adapter, on_gpu};
+use common::{assert_twins, frames_of, on_cpu};
 
 /// Discs of a slab across the light, and their radius.
 const DISCS: f64 = 30_000.0;
@@ -173,12 +173,7 @@ fn clouds_are_the_same_stage_by_stage() {
             page_bytes: 2048 * 32,
             ..GpuOptions::default()
         };
-        on_each_adapter(|name, device| {
-            let mut gpu = on_gpu(device, &plan, &options);
-            if let Err(difference) = compare_run(&frames, &mut gpu, &mut on_cpu(&plan)) {
-                panic!("{name}: {difference}");
-            }
-        });
+        assert_twins(&plan, &frames, &options);
     }
 }
 

@@ -104,6 +104,16 @@ pub(crate) fn on_gpu(device: &GpuDevice, plan: &Plan, options: &GpuOptions) -> G
     GpuBackend::new(device, plan, options).expect("the plan fits the device")
 }
 
+/// Runs the frames on each adapter in lockstep with the processor.
+pub(crate) fn assert_twins(plan: &Plan, frames: &[FrameInputs], options: &GpuOptions) {
+    on_each_adapter(|name, device| {
+        let mut gpu = on_gpu(device, plan, options);
+        if let Err(difference) = compare_run(frames, &mut gpu, &mut on_cpu(plan)) {
+            panic!("{name}: {difference}");
+        }
+    });
+}
+
 /// Names of the buffers that backends are compared by after `stage`.
 pub(crate) fn compared_after(stage: Stage) -> impl Iterator<Item = &'static str> {
     let is_state = |name: &&str| {

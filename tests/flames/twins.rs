@@ -22,12 +22,7 @@ fn p44_everything_is_the_same_stage_by_stage() {
             page_bytes,
             ..GpuOptions::default()
         };
-        on_each_adapter(|name, device| {
-            let mut gpu = on_gpu(device, &plan, &options);
-            if let Err(difference) = compare_run(&frames, &mut gpu, &mut on_cpu(&plan)) {
-                panic!("{name}: {difference}");
-            }
-        });
+        assert_twins(&plan, &frames, &options);
     }
 }
 

@@ -5,7 +5,7 @@ use motes::plan::Plan;
 use motes::scene::Scene;
 use motes::simulation::{AdapterChoice, Options, Simulation};
 
-use crate::common::{compare_run, frames_of, on_cpu, on_each_adapter, on_gpu};
+use crate::common::{assert_twins, frames_of};
 use crate::support::{BLADES, dot, particles, scene, unit};
 
 /// Half the width of the cube that blades stand on.
@@ -128,10 +128,5 @@ fn strokes_on_a_surface_are_the_same_stage_by_stage() {
         page_bytes: 2048 * 32,
         ..GpuOptions::default()
     };
-    on_each_adapter(|name, device| {
-        let mut gpu = on_gpu(device, &plan, &options);
-        if let Err(difference) = compare_run(&frames, &mut gpu, &mut on_cpu(&plan)) {
-            panic!("{name}: {difference}");
-        }
-    });
+    assert_twins(&plan, &frames, &options);
 }

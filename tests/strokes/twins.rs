@@ -3,7 +3,7 @@
 use motes::gpu::GpuOptions;
 use motes::plan::Plan;
 
-use crate::common::{self, compare_run, frames_of, on_cpu, on_each_adapter, on_gpu};
+use crate::common::{self, assert_twins, frames_of};
 
 #[test]
 fn strokes_are_the_same_stage_by_stage() {
@@ -20,11 +20,6 @@ fn strokes_are_the_same_stage_by_stage() {
             page_bytes: 2048 * 32,
             ..GpuOptions::default()
         };
-        on_each_adapter(|name, device| {
-            let mut gpu = on_gpu(device, &plan, &options);
-            if let Err(difference) = compare_run(&frames, &mut gpu, &mut on_cpu(&plan)) {
-                panic!("{name}: {difference}");
-            }
-        });
+        assert_twins(&plan, &frames, &options);
     }
 }

@@ -4,7 +4,7 @@ use motes::gpu::GpuOptions;
 use motes::plan::Plan;
 use motes::scene::Scene;
 
-use crate::common::{self, compare_run, frames_of, on_cpu, on_each_adapter, on_gpu};
+use crate::common::{self, frames_of};
 use crate::support::{CHILD, PARENT, scene};
 
 pub(crate) fn assert_twins(scene: &Scene, frames: u32) {
@@ -22,12 +22,7 @@ fn assert_twins_in(scene: &Scene, frames: u32, page_bytes: u64, workgroup_size: 
         workgroup_size,
         ..GpuOptions::default()
     };
-    on_each_adapter(|name, device| {
-        let mut gpu = on_gpu(device, &plan, &options);
-        if let Err(difference) = compare_run(&frames, &mut gpu, &mut on_cpu(&plan)) {
-            panic!("{name}: {difference}");
-        }
-    });
+    common::assert_twins(&plan, &frames, &options);
 }
 
 #[test]
