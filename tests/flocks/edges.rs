@@ -1,5 +1,7 @@
 //! Free particles and the edges of their world.
 
+use motes::scene::{Edges, Scene};
+
 use crate::common::*;
 use crate::support::*;
 
@@ -79,23 +81,28 @@ fn f10_constrain_throws_back_four_times_as_fast() {
     assert_eq!(velocity, [0.0, 6.0, 0.0]);
 }
 
-/// The article's first sketches.
-fn falling(edges: &str) -> String {
-    format!(
-        "name = \"particle\"\ncount = 16\nregion = {{ min = [150, 100, 0], max = [150, 100, 0] }}\n\
-         max_speed = 4\nsize = 5\nforce = [0, 0.2, 0]\nedges = {{ {edges} }}"
-    )
+/// One of the article's first sketches, of 16 particles instead of one, so that there is more to see.
+fn falling(name: &str) -> Scene {
+    let mut scene = shipped(name);
+    let flock = &mut scene.flocks[0];
+    assert_eq!((flock.count, flock.mass, flock.size), (1, 1.0, 5.0));
+    assert_eq!((flock.max_speed, flock.force), (4.0, [0.0, 0.2, 0.0]));
+    assert_eq!(flock.region.min, [150.0, 100.0, 0.0]);
+    assert_eq!(flock.region.max, flock.region.min);
+    flock.count = 16;
+    scene
 }
 
 #[test]
 fn f11_gravity_adds_up_until_the_limit() {
-    let plan = plan(&scene(&[&falling(
-        "kind = \"wrap\", min = [0, 0, 0], max = [300, 200, 0]",
-    )]));
+    let scene = falling("bounce-wrap");
+    // The sketch's grey, 55 of 255.
+    assert!((scene.image.background[0] * 255.0 - 55.0).abs() < 0.01);
+    let plan = plan(&scene);
     let mut cpu = on_cpu(&plan);
     step(&mut cpu, &plan.inputs(0));
     let first = boids(&mut cpu);
-    for frame in 1..200u32 {
+    for frame in 1..scene.frames {
         step(&mut cpu, &plan.inputs(frame));
         for (boid, begun) in boids(&mut cpu).iter().zip(&first) {
             let [vx, vy, _] = boid.velocity();
@@ -110,41 +117,44 @@ fn f11_gravity_adds_up_until_the_limit() {
     }
 }
 
-#[test]
-fn f12_repelled_and_constrained_particles_stay() {
-    let cases = [
-        // A step of 4 and one of gravity. Beyond the bottom, where they have lost their speed, gravity
-        // sinks them, whichever way they are turned.
-        (
-            "kind = \"repel\", min = [0, 0, 0], max = [300, 200, 0]",
-            [0.0, 300.0, 0.0, 400.0],
-            4.3,
-        ),
-        (
-            "kind = \"repel\", inward = true, min = [0, 0, 0], max = [300, 200, 0]",
-            [0.0, 300.0, 0.0, 400.0],
-            4.3,
-        ),
-        // Four times the speed outward takes it as far once more, and a limited step back in.
-        (
-            "kind = \"constrain\", min = [100, 50, 0], max = [200, 150, 0]",
-            [100.0, 200.0, 50.0, 150.0],
-            16.0,
-        ),
-    ];
-    for (edges, [left, right, top, bottom], beyond) in cases {
-        let plan = plan(&scene(&[&falling(edges)]));
-        let mut cpu = on_cpu(&plan);
-        for frame in 0..600 {
-            step(&mut cpu, &plan.inputs(frame));
-            for boid in boids(&mut cpu) {
-                let [x, y, _] = boid.position();
-                let inside = (left - beyond..=right + beyond).contains(&x)
-                    && (top - beyond..=bottom + beyond).contains(&y);
-                assert!(inside, "{edges}, frame {frame}: {x}, {y}");
-            }
+/// How far beyond the edges particles get in the scene's time: at the left, the right, the top, the bottom.
+fn beyond(scene: &Scene, [left, right, top, bottom]: [f32; 4]) -> [f32; 4] {
+    let plan = plan(scene);
+    let mut cpu = on_cpu(&plan);
+    let mut most = [0.0f32; 4];
+    for frame in 0..scene.frames {
+        step(&mut cpu, &plan.inputs(frame));
+        for boid in boids(&mut cpu) {
+            let [x, y, _] = boid.position();
+            let here = [left - x, x - right, top - y, y - bottom];
+            most = std::array::from_fn(|at| most[at].max(here[at]));
         }
     }
+    println!("beyond by {most:?}");
+    most
+}
+
+/// A step of 4 and one of gravity, and what rounding adds.
+const STEP: f32 = 4.2 + 1e-4;
+
+#[test]
+fn f12_repelled_and_constrained_particles_stay() {
+    let canvas = [0.0, 300.0, 0.0, 200.0];
+    let mut repelled = falling("bounce-repel");
+    let most = beyond(&repelled, canvas);
+    assert!(most.iter().all(|it| *it <= STEP), "{most:?}");
+    // Literally, velocities are turned again beyond an edge, and gravity sinks whoever has lost its speed
+    // beyond the bottom.
+    let Edges::Repel { inward, .. } = &mut repelled.flocks[0].edges else {
+        panic!("{:?}", repelled.flocks[0].edges);
+    };
+    *inward = false;
+    let [left, right, top, bottom] = beyond(&repelled, canvas);
+    assert!(left.max(right).max(top) <= STEP && bottom > STEP);
+    // Four times the speed outward takes it as far once more, and a limited step back in: still on the canvas.
+    let most = beyond(&falling("bounce-constrain"), [100.0, 200.0, 50.0, 150.0]);
+    assert!(most.iter().all(|it| *it <= 16.0), "{most:?}");
+    assert!(most[3] > 0.0, "it is thrown back at the bottom");
 }
 
 #[test]

@@ -5,7 +5,6 @@
 use rayon::prelude::*;
 
 use crate::common::full;
-use crate::oracle::rorschach;
 use crate::sketch::{Body, draw_ink};
 use crate::support::*;
 
@@ -45,10 +44,7 @@ fn told(
 
 /// The library's run of that seed, on the processor, whose bits are everybody's; and how it begins.
 fn at_once(seed: u64) -> (Told, Vec<State>) {
-    let flocks = rorschach();
-    let mut scene = scene(&[&flocks[0], &flocks[1]]);
-    scene.seed = seed;
-    let plan = plan(&scene);
+    let plan = plan(&shipped_of("rorschach", seed));
     let mut cpu = motes::cpu::CpuBackend::new(&plan, Some(1)).expect("there is room");
     let (mut all, mut begun) = (Told::new(), Vec::new());
     for frame in 0..AROUND.end as u32 {

@@ -160,22 +160,90 @@ fn f36_ink_blots_are_their_own_mirror_images() {
     assert!(image.iter().any(|byte| *byte < 128) && image.contains(&255));
 }
 
+/// Two points a boid, as thick as the sketch's strokes and as faint.
+#[test]
+fn f36_a_boid_is_two_faint_points() {
+    let mut scene = shipped("rorschach");
+    scene.flocks[0].count = 1;
+    // A pixel is a third of a unit, so that the middle is between two.
+    (scene.image.width, scene.image.height) = (400, 390);
+    let plan = plan(&scene);
+    assert_eq!(plan.boid_cover_count, 2, "attractors are not seen");
+    let still = |x: f32, y: f32| ([x, y, 0.0], [0.0; 3]);
+    let states: Vec<_> = [still(20.0, -10.0)]
+        .into_iter()
+        .chain([still(0.0, 30.0); 4])
+        .collect();
+    let picture = picture(&plan, &states);
+    let ink = 1.0 - (55.0 / 255.0 * 30.0 + 255.0 - 30.0) / 255.0;
+    for side in [-1.0, 1.0] {
+        let (mut sum, mut moment) = (0.0, [0.0; 2]);
+        for (at, [red, ..]) in picture.iter().enumerate() {
+            let x = ((at % 400) as f64 + 0.5 - 200.0) / 3.0;
+            let y = ((at / 400) as f64 + 0.5 - 195.0) / 3.0;
+            if x * side > 0.0 {
+                let here = (1.0 - f64::from(*red) / 255.0) / ink / 9.0;
+                sum += here;
+                moment = [moment[0] + here * x, moment[1] + here * y];
+            }
+        }
+        let area = std::f64::consts::PI * 9.0;
+        // Bytes of so faint a point are whole steps of 24.
+        assert!((sum / area - 1.0).abs() < 0.04, "{sum}, not {area}");
+        let [x, y] = moment.map(|moment| moment / sum);
+        assert!(
+            (x - 20.0 * side).abs() < 0.05 && (y + 10.0).abs() < 0.05,
+            "{x}, {y}"
+        );
+    }
+}
+
 #[test]
 fn f38_inverted_ink_blots_are_what_is_left_to_white() {
-    let (image, _) = built_in("rorschach", 40);
-    let (inverted, _) = built_in("rorschach-inverted", 40);
-    let colors = |bytes: &[u8]| -> Vec<u8> {
-        let (pixels, _) = bytes.as_chunks::<4>();
-        pixels
-            .iter()
-            .flat_map(|[r, g, b, _]| [*r, *g, *b])
-            .collect()
+    for frame in [0, 40, 400] {
+        let (image, _) = built_in("rorschach", frame);
+        let (inverted, _) = built_in("rorschach-inverted", frame);
+        let colors = |bytes: &[u8]| -> Vec<u8> {
+            let (pixels, _) = bytes.as_chunks::<4>();
+            pixels
+                .iter()
+                .flat_map(|[r, g, b, _]| [*r, *g, *b])
+                .collect()
+        };
+        let both = colors(&image).into_iter().zip(colors(&inverted));
+        let off = both.filter(|(a, b)| 255 - a != *b).count();
+        assert_eq!(off, 0, "frame {frame}");
+    }
+    // Nobody sees the attractors, and all else is as it was.
+    let (mut sketch, inverted) = (shipped("rorschach"), shipped("rorschach-inverted"));
+    assert!(inverted.flocks[1].opacity == 0.0);
+    sketch.flocks[0].color = inverted.flocks[0].color;
+    assert_eq!(sketch.flocks, inverted.flocks);
+}
+
+/// The article's first reason for particles: the more there are, the denser is what they make.
+#[test]
+fn f1_more_particles_are_denser() {
+    let ink = |count: u32| {
+        let mut scene = shipped("boids-free");
+        scene.flocks[0].count = count;
+        (scene.image.width, scene.image.height) = (500, 300);
+        let plan = plan(&scene);
+        let mut cpu = common::on_cpu(&plan);
+        for info in STAGES {
+            cpu.run_stage(info.stage, &plan.inputs(0)).expect("it runs");
+        }
+        let words = cpu.read("image").expect("it can be read");
+        let light = |word: &u32| f64::from(word & 0xff) - 55.0;
+        let sum: f64 = words.iter().map(light).sum();
+        sum / 200.0
     };
-    let off = colors(&image)
-        .into_iter()
-        .zip(colors(&inverted))
-        .map(|(a, b)| (255 - a).abs_diff(b));
-    assert!(off.max() <= Some(1));
+    // Each is a white triangle of 5.4 px; few of 200 overlap.
+    let few = ink(200);
+    assert!((few / (200.0 * 5.4) - 1.0).abs() < 0.05, "{few}");
+    let counts = [100, 200, 400, 800, 1600];
+    let all = counts.map(ink);
+    assert!(all.is_sorted_by(|a, b| 1.8 * a < *b), "{all:?}");
 }
 
 #[test]

@@ -64,6 +64,8 @@ impl From<&Boid> for Body {
 enum Edge {
     Wrap(Vector, Vector),
     Repel(Vector, Vector),
+    /// The same, but never back outward.
+    Inward(Vector, Vector),
     Constrain(Vector, Vector),
 }
 
@@ -151,7 +153,10 @@ fn step_one(group: &Group, own: usize, of: usize, lists: &[Vec<Body>]) -> Steppe
     let mut position = add(me.position, velocity);
     let mut velocity = limit(velocity, group.speed);
     let (low, high) = match group.edge {
-        Edge::Wrap(low, high) | Edge::Repel(low, high) | Edge::Constrain(low, high) => (low, high),
+        Edge::Wrap(low, high)
+        | Edge::Repel(low, high)
+        | Edge::Inward(low, high)
+        | Edge::Constrain(low, high) => (low, high),
     };
     for axis in 0..2 {
         let nearest = (position[axis] - low[axis])
@@ -163,6 +168,10 @@ fn step_one(group: &Group, own: usize, of: usize, lists: &[Vec<Body>]) -> Steppe
             Edge::Wrap(..) if position[axis] < low[axis] => position[axis] = high[axis],
             Edge::Wrap(..) if position[axis] > high[axis] => position[axis] = low[axis],
             Edge::Wrap(..) => {}
+            Edge::Inward(..) if position[axis] >= high[axis] => {
+                velocity[axis] = -velocity[axis].abs()
+            }
+            Edge::Inward(..) if touches => velocity[axis] = velocity[axis].abs(),
             Edge::Repel(..) if touches => velocity[axis] *= -1.0,
             Edge::Constrain(..) if touches => velocity[axis] *= -4.0,
             _ => {}
@@ -249,16 +258,14 @@ fn f21_rules_are_those_of_the_article() {
         .into_iter()
         .enumerate()
     {
-        let plan = plan(&scene(&[&one_rule(rule)]));
-        assert_as_the_article(rule, &plan, &[single(at)], 120);
+        assert_scene_as_the_article(&format!("boids-{rule}"), &[single(at)]);
     }
-    let plan = plan(&scene(&[&flocking()]));
-    assert_as_the_article("all rules", &plan, &[FLOCKING], 120);
+    assert_scene_as_the_article("boids-free", &[ALONE]);
 }
 
 /// Frames of a built-in scene, each from the one before; in the full run all of them.
 fn assert_scene_as_the_article(name: &str, groups: &[Group]) {
-    let scene = motes::scene::load(name).expect("it is built in");
+    let scene = shipped(name);
     let frames = if full() { scene.frames } else { 150 };
     assert_as_the_article(name, &plan(&scene), groups, frames);
 }
@@ -286,21 +293,19 @@ fn f31_crossed_flocks_are_those_of_the_article() {
     assert_scene_as_the_article("crossed-flocks", &[FLOCKING, crossed]);
 }
 
-/// The Rorschach sketch: boids that flock in a box, follow attractors and avoid them.
-pub(crate) fn rorschach() -> Vec<String> {
-    let edges = "edges = { kind = \"constrain\", min = [-50, -50, 0], max = [50, 50, 0] }";
-    vec![
-        format!(
-            "name = \"boids\"\ncount = 1000\nregion = {{ min = [-4, -6, 0], max = [4, -4, 0] }}\n\
-             size = 4\n{edges}\n[[flock.relation]]\nkind = \"flock\"\n\
-             [[flock.relation]]\nkind = \"avoid\"\nother = \"attractors\"\n\
-             [[flock.relation]]\nkind = \"approach\"\nother = \"attractors\"\n"
-        ),
-        format!(
-            "name = \"attractors\"\ncount = 4\nregion = {{ min = [0, 0, 0], max = [0, 0, 0] }}\n\
-             start_speed = 10\nsize = 10\n{edges}"
-        ),
-    ]
+#[test]
+fn f30_two_flocks_are_those_of_the_article() {
+    let second = Group {
+        flocks_with: &[1],
+        ..ALONE
+    };
+    assert_scene_as_the_article("two-flocks", &[FLOCKING, second]);
+    let avoiding = |group: Group| Group {
+        avoids: &[2],
+        ..group
+    };
+    let groups = [avoiding(FLOCKING), avoiding(second), ALONE];
+    assert_scene_as_the_article("two-flocks-predators", &groups);
 }
 
 #[test]
@@ -314,34 +319,43 @@ fn f33_attractors_pull_as_in_the_article() {
     };
     let attractors = Group { edge, ..ALONE };
     assert_scene_as_the_article("rorschach", &[pulled, attractors]);
+    assert_scene_as_the_article("rorschach-inverted", &[pulled, attractors]);
 }
 
 #[test]
 fn f11_free_particles_are_those_of_the_article() {
-    let particle = |edges: &str| {
-        format!(
-            "name = \"particle\"\ncount = 20\nregion = {{ min = [100, 60, 0], max = [200, 140, 0] }}\n\
-             max_speed = 4\nsize = 5\nforce = [0, 0.2, 0]\nedges = {{ {edges} }}"
-        )
-    };
-    let whole = "min = [0, 0, 0], max = [300, 200, 0]";
     let (low, high) = ([0.0, 0.0], [300.0, 200.0]);
     let cases = [
-        (format!("kind = \"wrap\", {whole}"), Edge::Wrap(low, high)),
-        (format!("kind = \"repel\", {whole}"), Edge::Repel(low, high)),
+        ("bounce-wrap", Edge::Wrap(low, high)),
+        ("bounce-repel", Edge::Inward(low, high)),
         (
-            "kind = \"constrain\", min = [100, 50, 0], max = [200, 150, 0]".into(),
+            "bounce-constrain",
             Edge::Constrain([100.0, 50.0], [200.0, 150.0]),
         ),
     ];
-    for (edges, edge) in cases {
+    for (name, edge) in cases {
         let falling = Group {
             gravity: [0.0, 0.2],
             speed: 4.0,
             edge,
             ..ALONE
         };
-        let plan = plan(&scene(&[&particle(&edges)]));
-        assert_as_the_article(&edges, &plan, &[falling], 300);
+        // More of them than the sketch's one, so that there is more to see.
+        let mut scene = shipped(name);
+        scene.flocks[0].count = 20;
+        let mut sketches = vec![(edge, scene.clone())];
+        if let Edge::Inward(..) = edge {
+            // As the article has it, where it sticks.
+            let repel = &mut scene.flocks[0].edges;
+            let motes::scene::Edges::Repel { inward, .. } = repel else {
+                panic!("{repel:?}");
+            };
+            *inward = false;
+            sketches.push((Edge::Repel(low, high), scene));
+        }
+        for (edge, scene) in sketches {
+            let group = Group { edge, ..falling };
+            assert_as_the_article(name, &plan(&scene), &[group], scene.frames);
+        }
     }
 }

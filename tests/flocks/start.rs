@@ -1,16 +1,22 @@
 //! How flocks begin.
 
+use std::collections::HashSet;
+
 use motes::backend::Backend;
 use motes::gpu::GpuOptions;
 use motes::plan::Stage;
+use motes::scene::{Edges, Scene};
 
 use crate::common::*;
-use crate::oracle::rorschach;
 use crate::support::*;
 
 /// The boids as they hatch, before they move.
 fn hatched(flocks: &[&str]) -> Vec<State> {
-    let plan = plan(&scene(flocks));
+    hatched_in(&scene(flocks))
+}
+
+fn hatched_in(scene: &Scene) -> Vec<State> {
+    let plan = plan(scene);
     let mut cpu = on_cpu(&plan);
     cpu.run_stage(Stage::Hatch, &plan.inputs(0))
         .expect("it runs");
@@ -58,7 +64,7 @@ fn f4_headings_are_unit_vectors_of_any_direction() {
 
 #[test]
 fn f16_places_are_uniform_in_the_region() {
-    let boids = hatched(&[FREE]);
+    let boids = hatched_in(&shipped("boids-free"));
     assert_eq!(boids.len(), 500);
     for (axis, extent) in [(0, 500.0), (1, 300.0)] {
         let off = ks(boids
@@ -71,7 +77,7 @@ fn f16_places_are_uniform_in_the_region() {
 
 #[test]
 fn f16_without_rules_polarisation_stays() {
-    let plan = plan(&scene(&[FREE]));
+    let plan = plan(&shipped("boids-free"));
     let mut cpu = on_cpu(&plan);
     let velocities = |cpu: &mut motes::cpu::CpuBackend| -> Vec<[f32; 3]> {
         boids(cpu).iter().map(|boid| boid.velocity()).collect()
@@ -114,15 +120,31 @@ fn f14_defaults_are_those_of_the_article() {
 
 #[test]
 fn f34_rorschach_begins_in_its_box() {
-    let flocks = rorschach();
-    let boids = hatched(&[&flocks[0], &flocks[1]]);
-    assert_eq!(boids.len(), 1004);
+    let scene = shipped("rorschach");
+    // A white page around the box, with the sketch's origin in the middle of both.
+    assert_eq!(scene.image.background, [1.0; 3]);
+    assert_eq!(scene.camera.target, [0.0; 3]);
+    let counts = scene.flocks.iter().map(|flock| flock.count);
+    assert_eq!(counts.collect::<Vec<_>>(), [1000, 4]);
+    for flock in &scene.flocks {
+        let Edges::Constrain { corners, factor } = flock.edges else {
+            panic!("{flock:?}");
+        };
+        assert_eq!(corners.min, [-50.0, -50.0, 0.0]);
+        assert_eq!((corners.max, factor), ([50.0, 50.0, 0.0], -4.0));
+    }
+    let boids = hatched_in(&scene);
     let (boids, attractors) = boids.split_at(1000);
     for ([x, y, z], _) in boids {
         assert!((-4.0..=4.0).contains(x) && (-6.0..=-4.0).contains(y) && *z == 0.0);
     }
-    for (place, _) in attractors {
+    // All over it: none of its quarters is empty by chance once in 10^120.
+    let quarter = |at: &State| (at.0[0] < 0.0, at.0[1] < -5.0);
+    let quarters = boids.iter().map(quarter).collect::<HashSet<_>>();
+    assert_eq!(quarters.len(), 4);
+    for (place, [vx, vy, _]) in attractors {
         assert_eq!(*place, [0.0; 3]);
+        assert!((vx.hypot(*vy) - 10.0).abs() < 1e-4, "{vx}, {vy}");
     }
 }
 

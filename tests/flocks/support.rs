@@ -20,6 +20,18 @@ pub(crate) fn scene(flocks: &[&str]) -> Scene {
     ))
 }
 
+/// The built-in scene of that name.
+pub(crate) fn shipped(name: &str) -> Scene {
+    motes::scene::load(name).expect("it is built in")
+}
+
+/// The same of that seed.
+pub(crate) fn shipped_of(name: &str, seed: u64) -> Scene {
+    let mut scene = shipped(name);
+    scene.seed = seed;
+    scene
+}
+
 /// The same in this wind.
 pub(crate) fn windy(wind: &str, flocks: &[&str]) -> Scene {
     let mut windy = scene(flocks);
