@@ -7,7 +7,7 @@ use crate::scene::Scene;
 const MOST_BIRTHS: f32 = 16e6;
 
 /// Most boids of a scene, as scene files have it.
-const MOST_BOIDS: u32 = 1_000_000;
+const MOST_BOIDS: u32 = 32_000_000;
 
 /// Most flames of a scene, as scene files have it.
 const MOST_FLAMES: u32 = 1_000_000;
@@ -18,7 +18,7 @@ pub struct Job<'a> {
     /// The scene.
     pub scene: &'a Scene,
     /// Particles alive, 1 ..= 10^9: births are scaled to reach them; where there are only flocks,
-    /// boids, 1 ..= 10^6, and their world with them. `None` for the scene as it is.
+    /// boids, 1 ..= 3.2 x 10^7, and their world with them. `None` for the scene as it is.
     pub particles: Option<u32>,
 }
 

@@ -98,6 +98,8 @@ pub struct GpuBackend {
     cell_count: u32,
     width: u32,
     height: u32,
+    /// Whether boids may look at more others than some drivers let loops turn.
+    has_crowds: bool,
     has_covers: bool,
     has_planet: bool,
     has_ground: bool,
@@ -236,6 +238,7 @@ impl GpuBackend {
             cell_count: plan.cell_count,
             width: plan.width,
             height: plan.height,
+            has_crowds: plan.uses.crowds,
             has_covers: plan.uses.covers,
             has_planet: plan.uses.planet,
             has_ground: plan.uses.ground,
@@ -336,11 +339,17 @@ impl Backend for GpuBackend {
     }
 
     fn read(&mut self, buffer: &str) -> Result<Vec<u32>, BackendError> {
-        self.watched(|run| run.read_buffer(buffer))
+        self.watched(|run| {
+            run.check_overlooked()?;
+            run.read_buffer(buffer)
+        })
     }
 
     fn take_statistics(&mut self) -> Result<Vec<FrameStats>, BackendError> {
-        self.watched(|run| run.ring.take(&run.gpu, &run.memory))
+        self.watched(|run| {
+            run.check_overlooked()?;
+            run.ring.take(&run.gpu, &run.memory)
+        })
     }
 
     fn restore(&mut self, living: &Living<'_>, recent: &[FrameInputs]) -> Result<(), BackendError> {
@@ -358,6 +367,7 @@ impl Backend for GpuBackend {
     fn population_digest(&mut self, population: Population) -> Result<u64, BackendError> {
         self.watched(|run| {
             let commands = run.population_commands(population, run.current)?;
+            run.check_overlooked()?;
             run.digest_of(&commands, 0)
         })
     }
@@ -365,6 +375,7 @@ impl Backend for GpuBackend {
     fn image_digest(&mut self) -> Result<u64, BackendError> {
         self.watched(|run| {
             let commands = run.image_digest_commands()?;
+            run.check_overlooked()?;
             run.digest_of(&commands, 0)
         })
     }

@@ -178,6 +178,24 @@ impl GpuBackend {
         Ok(())
     }
 
+    /// Whether drivers have turned loops over boids as often as was asked for. They have where boids are few;
+    /// where they are not, it is seen when anything is read.
+    pub(super) fn check_overlooked(&self) -> Result<(), BackendError> {
+        if !self.has_crowds {
+            return Ok(());
+        }
+        let overlooked = self.memory.named("overlooked")?;
+        let counted = readback::words(&self.gpu, overlooked, 4)?;
+        let counted: u64 = counted.into_iter().map(u64::from).sum();
+        if counted == 0 {
+            return Ok(());
+        }
+        Err(BackendError::Unsupported(format!(
+            "boids are so crowded that {counted} of them, frame by frame, look at more others than its driver \
+             lets a loop turn; with a smaller `count` or `perception_radius` it can"
+        )))
+    }
+
     pub(super) fn counts(&self) -> Result<Counts, BackendError> {
         let words = readback::words(
             &self.gpu,

@@ -15,6 +15,9 @@ const FLOCK_TAG: u32 = 0x666c_6f63;
 /// cell.
 const MOST_CELLS_ALONG: f64 = 2048.0;
 
+/// Cells of all flocks that have more boids.
+const MOST_DENSE_CELLS: u64 = 3_000_000;
+
 /// Cells of all flocks that have fewer boids.
 const MOST_SPARSE_CELLS: u64 = 1 << 20;
 
@@ -76,7 +79,13 @@ impl Grid {
         }
         let sparse = MOST_SPARSE_CELLS / scene.flocks.len() as u64;
         let count = u64::from(flock.count);
-        let most_cells = count.max(sparse.min(8 * count));
+        let all: u64 = scene
+            .flocks
+            .iter()
+            .map(|flock| u64::from(flock.count))
+            .sum();
+        let dense = count.min(count * MOST_DENSE_CELLS / all);
+        let most_cells = dense.max(sparse.min(8 * count));
         let mut width = (main / CELLS_A_RADIUS).max(farthest / MOST_CELLS_A_RADIUS);
         loop {
             let along = |axis: usize| {

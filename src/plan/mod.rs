@@ -469,7 +469,9 @@ impl Plan {
             };
             let strokes = self.capacity.saturating_mul(self.stroke_records[1]);
             let own = self.capacity.saturating_add(strokes);
-            own.saturating_add(self.boid_cover_count + marks + lines + smoke)
+            [self.boid_cover_count, marks, lines, smoke]
+                .into_iter()
+                .fold(own, u32::saturating_add)
         } else {
             0
         }

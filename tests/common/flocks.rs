@@ -105,9 +105,19 @@ pub(crate) fn driven_flocks() -> Scene {
             "name = \"leaves\"\ncount = 40\ndimensions = 3\nstart_speed = 0\ndrag = 1\ntrail_frames = 8\n\
              region = {{ {box_of} }}\nshape = \"disc\""
         ),
-        "name = \"lost\"\ncount = 1\nregion = { min = [50, 50, 0], max = [50, 50, 0] }\n\
+        "name = \"lost\"\ncount = 1\ndimensions = 3\nregion = { min = [50, 50, 0], max = [50, 50, 0] }\n\
          start_speed = 0\n[[flock.obstacle]]\nkind = \"sphere\"\ncenter = [50, 50, 0]\nradius = 30\n\
          [[flock.relation]]\nkind = \"flock\"\nother = \"deep\"\nradius = 60\nview_angle_degrees = 90\n"
+            .into(),
+        // In a box, each nearest to another of its faces, and heavier than others that are drawn to somebody.
+        "name = \"boxed\"\ncount = 50\ndimensions = 3\nmass = 2\n\
+         region = { min = [100, 40, -40], max = [180, 120, 40] }\n\
+         [[flock.obstacle]]\nkind = \"box\"\nmin = [100, 40, -40]\nmax = [180, 120, 40]\n\
+         [[flock.relation]]\nkind = \"approach\"\nother = \"flat\"\nradius = 40\n"
+            .into(),
+        // So near each other that no one counts more than another.
+        "name = \"huddled\"\ncount = 8\nregion = { min = [20, 180, 0], max = [20.2, 180.2, 0] }\n\
+         [[flock.relation]]\nkind = \"flock\"\nseparation = \"inverse_distance\"\n"
             .into(),
     ];
     let text: String = flocks

@@ -1,7 +1,9 @@
 //! Neighbours by the grid against neighbours by looking at everybody.
 
 use std::collections::BTreeSet;
+use std::sync::atomic::{AtomicU32, Ordering};
 
+use motes::backend::{Backend, BackendError};
 use motes::cpu::flock::steer::each_range;
 use motes::cpu::grid::{cell_coordinates, cell_index};
 use motes::gpu::GpuOptions;
@@ -170,6 +172,57 @@ fn fa11_a_cell_has_no_most() {
         "name = \"one\"\ncount = 1\nregion = { min = [0.5, 0.5, 0], max = [0.5, 0.5, 0] }\n\
          [[flock.relation]]\nkind = \"flock\"\nother = \"crowd\"",
     ]);
+}
+
+/// Where a driver ends a loop over boids before its end, or one over faces behind it, nothing that comes of
+/// it is handed out: not the boids, nor statistics, nor a digest.
+#[test]
+fn fa11_nobody_is_overlooked_in_silence() {
+    let crowd = "name = \"crowd\"\ncount = 66_000\ndimensions = 3\n\
+                 region = { min = [0, 0, 0], max = [1, 1, 1] }";
+    let one = "name = \"one\"\ncount = 1\ndimensions = 3\n\
+               region = { min = [0.5, 0.5, 0.5], max = [0.5, 0.5, 0.5] }\n\
+               [[flock.relation]]\nkind = \"flock\"\nother = \"crowd\"\n";
+    let mesh = "[[flock.obstacle]]\nkind = \"mesh\"\nmesh = \"torus\"\nscale = 3\nmargin = 2\n";
+    let overlooked = AtomicU32::new(0);
+    for (ties, obstacles) in [(5, ""), (1, ""), (3, mesh)] {
+        // As many relations, each of which looks at all of the crowd.
+        let tie = "[[flock.relation]]\nkind = \"avoid\"\nother = \"crowd\"\n";
+        let looking = format!("{one}{}{obstacles}", tie.repeat(ties - 1));
+        let mut plan = plan(&scene(&[crowd, &looking]));
+        // As if there were fewer: four a turn.
+        (plan.uses.crowds, plan.uses.throngs) = (true, false);
+        let inputs = plan.inputs(0);
+        let mut cpu = on_cpu(&plan);
+        step(&mut cpu, &inputs);
+        let expected = cpu.read("boids").expect("it can be read");
+        on_each_adapter(|name, device| {
+            let mut gpu = on_gpu(device, &plan, &GpuOptions::default());
+            step(&mut gpu, &inputs);
+            let outcomes = [
+                gpu.read("boids").err(),
+                gpu.take_statistics().err(),
+                gpu.state_digest().err(),
+                gpu.image_digest().err(),
+            ];
+            if outcomes.iter().all(Option::is_none) {
+                assert!(gpu.read("boids").expect("as before") == expected, "{name}");
+                return;
+            }
+            println!(
+                "{name}: {ties} relations and {} obstacles",
+                obstacles.len().min(1)
+            );
+            overlooked.fetch_add(1, Ordering::Relaxed);
+            for outcome in outcomes {
+                let Some(BackendError::Unsupported(what)) = outcome else {
+                    panic!("{name}: {outcome:?}");
+                };
+                assert!(what.contains("so crowded that 1 of them"), "{what}");
+            }
+        });
+    }
+    println!("loops were ended in {overlooked:?} runs");
 }
 
 /// More boids on one side than the limbs of a sum hold, in several cells for the sake of those who

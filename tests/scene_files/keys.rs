@@ -113,7 +113,7 @@ pub(crate) const KEYS: &[(&str, &str, &str, &str, &str)] = &[
     ("extinction.box", "max", "1", "[0, 1e7, 0]", "3 numbers, each from -1_000_000"),
     ("extinction.box", "kills", "0", "\"both\"", "\"inside\", \"outside\""),
     ("flock", "name", "7", r#""a b""#, "a letter or _, then letters, digits, - and _"),
-    ("flock", "count", "1.5", "1_000_001", "from 1 to 1_000_000, boids"),
+    ("flock", "count", "1.5", "32_000_001", "from 1 to 32_000_000, boids"),
     ("flock", "dimensions", "true", "4", "from 2 to 3"),
     ("flock", "start_speed", "[1]", "-1", "from 0 to 10_000"),
     ("flock", "max_speed", "\"fast\"", "0", "from 0.000001 to 10_000"),

@@ -5,8 +5,9 @@
 // state of the frame before, so that the order of the boids does not matter. One invocation a boid of
 // the flock, in sorted order.
 // Reads: frame, flocks, relations, obstacles, solid_faces, winds, cell_starts, sorted_boids. Writes:
-// boids, boid_trails.
-// Invariant: whoever is nearer than a relation's radius is looked at, and everybody at most once. Where
+// boids, boid_trails, overlooked.
+// Invariant: whoever is nearer than a relation's radius is looked at, and everybody at most once; boids for
+// which a driver has ended a loop before its end are counted. Where
 // only the nearest count (Ballerini et al. 2008), who they are depends on distances and identities
 // alone.
 
@@ -67,6 +68,18 @@ var<immediate> which: Which;
 @group(0) @binding(7) var<uniform> frame: Frame;
 @group(0) @binding(8) var<storage, read_write> boid_trails: array<vec4<u32>>;
 @group(0) @binding(9) var<storage, read> solid_faces: array<vec4<f32>>;
+@group(0) @binding(10) var<storage, read_write> overlooked: array<atomic<u32>>;
+
+// Whether a loop has been ended before its end: software drivers do so after 65,535 turns of all loops of
+// an invocation.
+var<private> is_cut: bool;
+
+// After a loop that may be the one.
+fn cut_unless(done: bool) {
+    if CROWDS && !done {
+        is_cut = true;
+    }
+}
 
 // Farther than anything, squared.
 const FAR_SQUARED: f32 = 1e30f;
@@ -224,6 +237,7 @@ fn visited_all(perceived: Perceived, view: View, range: vec2<u32>) -> Perceived 
             break if at >= range.y;
         }
     }
+    cut_unless(at >= range.y);
     return all;
 }
 
@@ -258,7 +272,8 @@ fn look(view: View) -> Perceived {
     // Three rows are in reach along an axis, but at the ends of the grid.
     let slots_y = max(along_y.count, 3i);
     let slots_z = select(max(along_z.count, 3i), 1i, other.grid.z == 1u);
-    for (var row = slots_y * slots_z; row > 0i; row -= 1i) {
+    var row = slots_y * slots_z;
+    for (; row > 0i; row -= 1i) {
         let y = nth_row(row % slots_y, along_y.first, slots_y);
         let z = nth_row(row / slots_y, along_z.first, slots_z);
         let is_there = y < along_y.first + along_y.count && z < along_z.first + along_z.count;
@@ -276,16 +291,20 @@ fn look(view: View) -> Perceived {
                 row_z = around(z, other.grid.z);
             }
             // One turn, but for what is beyond the end of a torus.
-            for (var left = along_x.count; left > 0i;) {
+            var left = along_x.count;
+            while left > 0i {
                 let within = min(left, i32(other.grid.x) - first);
                 let range = row_range(other, first, within, row_y, row_z);
                 perceived = visited_all(perceived, view, range);
                 left -= within;
                 first = 0i;
             }
+            cut_unless(left <= 0i);
         }
     }
-    for (var slot = 0u; NEAREST && slot < view.relation.kinds.w; slot += 1u) {
+    cut_unless(row <= 0i);
+    var slot = 0u;
+    for (; NEAREST && slot < view.relation.kinds.w; slot += 1u) {
         let at = nearest[slot].z;
         if at != 0xffffffffu {
             let offset = way_to(view, at);
@@ -293,6 +312,7 @@ fn look(view: View) -> Perceived {
             perceived = perceiving_one(perceived, view, offset, squared, velocity_of(at));
         }
     }
+    cut_unless(!NEAREST || slot >= view.relation.kinds.w);
     return perceived;
 }
 
@@ -323,7 +343,8 @@ fn surface_of_mesh(obstacle: Obstacle, position: vec3<f32>) -> Surface {
     let at = from_center * obstacle.extent.x;
     var nearest = Nearest(vec3<f32>(0.0f), FAR_SQUARED, 0u);
     let end = obstacle.kinds.z + obstacle.kinds.w;
-    for (var face = obstacle.kinds.z; face < end; face += 1u) {
+    var face = obstacle.kinds.z;
+    for (; face < end; face += 1u) {
         let corner = face * ROWS_A_SOLID_FACE;
         let away = at - solid_faces[corner].xyz;
         var here = nearest_of(away, solid_faces[corner + 1u].xyz, solid_faces[corner + 2u].xyz);
@@ -332,6 +353,7 @@ fn surface_of_mesh(obstacle: Obstacle, position: vec3<f32>) -> Surface {
             nearest = here;
         }
     }
+    cut_unless(face >= end);
     return solid_surface(nearest, solid_faces[nearest.part].xyz, obstacle.place.w);
 }
 
@@ -357,27 +379,36 @@ fn steer(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let motion = Motion(bitcast<vec3<f32>>(position_bits.xyz), bitcast<vec3<f32>>(velocity_bits.xyz));
     let heading = normalize_exact(motion.velocity);
     var acceleration = flock.acceleration.xyz;
-    for (var tie = 0u; tie < flock.ties.y; tie += 1u) {
+    var tie = 0u;
+    for (; tie < flock.ties.y; tie += 1u) {
         let relation = relations[flock.ties.x + tie];
         let view = View(own, motion, heading, relation, flocks[relation.kinds.y]);
         acceleration += answer(look(view), relation, motion.velocity, flock.acceleration.w);
     }
+    cut_unless(tie >= flock.ties.y);
     if GOALS && less(0.0f, flock.goal_rule.z) {
         acceleration += sought(flock, motion);
     }
     let obstacles_end = flock.drawn.z + flock.drawn.w;
-    for (var obstacle = flock.drawn.z; OBSTACLES && obstacle < obstacles_end; obstacle += 1u) {
-        let before = obstacles[obstacle];
+    var ahead = flock.drawn.z;
+    for (; OBSTACLES && ahead < obstacles_end; ahead += 1u) {
+        let before = obstacles[ahead];
         acceleration += turned_away(before, surface_at(before, motion.position));
     }
+    cut_unless(!OBSTACLES || ahead >= obstacles_end);
     if BLOWN {
         acceleration += dragged(flock, lone_wind, motion);
     }
     // In a plane there is no depth to go to, wherever others are.
     acceleration.z = select(0.0f, acceleration.z, flock.ties.z == 1u);
     var next = moved(flock, motion, acceleration);
-    for (var obstacle = flock.drawn.z; OBSTACLES && obstacle < obstacles_end; obstacle += 1u) {
-        next = kept_out(surface_at(obstacles[obstacle], next.position), next);
+    var behind = flock.drawn.z;
+    for (; OBSTACLES && behind < obstacles_end; behind += 1u) {
+        next = kept_out(surface_at(obstacles[behind], next.position), next);
+    }
+    cut_unless(!OBSTACLES || behind >= obstacles_end);
+    if CROWDS && is_cut {
+        atomicAdd(&overlooked[0], 1u);
     }
     if TRAILS && flock.trail.z > 0u {
         let ring = flock.trail.x + velocity_bits.w * (flock.trail.y + 1u);

@@ -3,16 +3,11 @@
 use crate::scene::read::Spot;
 use crate::scene::{Corners, Dimensions, Edges, Flock, ObstacleShape, SceneError};
 
-/// Boids of all flocks at most, and boids that one looks at: more turns than those take has no loop
-/// of a software driver.
-const MOST_BOIDS: u64 = 1_000_000;
+/// Boids of all flocks at most, and boids that one may look at, relation by relation.
+const MOST_BOIDS: u64 = 32_000_000;
 
 /// Faces of meshes that a boid looks at, at most.
 const MOST_SOLID_FACES: u32 = 10_000;
-
-/// Turns of loops that an invocation has on software drivers, with some to spare; sixteen of a crowd are
-/// looked at in one.
-const MOST_TURNS: u64 = 65_000;
 
 /// There are not too many boids, and nobody sees a boid twice around a torus.
 pub(in crate::scene) fn boids(flocks: &[Flock], spot: &Spot<'_>) -> Result<(), SceneError> {
@@ -37,15 +32,6 @@ pub(in crate::scene) fn boids(flocks: &[Flock], spot: &Spot<'_>) -> Result<(), S
             );
             let help =
                 format!("relations to flocks of at most {MOST_BOIDS} boids, each counted anew");
-            return Err(spot.node.at.error(what, help));
-        }
-        let faces = u64::from(flock.solid_faces());
-        if faces > 0 && seen / 16 + 2 * faces > MOST_TURNS {
-            let what = format!(
-                "a boid of `flock.{}` may look at {seen} boids and {faces} faces of meshes, too many",
-                flock.name
-            );
-            let help = "obstacles with fewer faces, or relations to smaller flocks";
             return Err(spot.node.at.error(what, help));
         }
         for (at, relation) in flock.relations.iter().enumerate() {

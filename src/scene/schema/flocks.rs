@@ -7,7 +7,7 @@ use super::{Field, Kind, Variant};
 #[rustfmt::skip] // one row a line
 pub const FLOCK: &[Field] = &[
     required("name", Kind::Name { reserved: &[] }, "\"flock\"", "", "unique among flocks; a part of every boid's identity", ""),
-    required("count", whole(1, 1_000_000), "500", "boids", "how many; all flocks together have at most 1_000_000", ""),
+    required("count", whole(1, 32_000_000), "500", "boids", "how many; all flocks together have at most 32_000_000", ""),
     default("dimensions", whole(2, 3), "2", "", "2: boids live in the plane of z = 0, and no z of the flock counts; 3: they live in space", ""),
     required("region", Kind::Table(REGION), "{ min = [0, 0, 0], max = [500, 300, 0] }", "", "where boids are at first", ""),
     default("mass", numbers(1, 1e-6, 1e6), "1", "", "what forces are divided by", ""),
