@@ -25,6 +25,8 @@ pub enum BackendError {
     Unsupported(String),
     /// The driver or wgpu refused a call: a defect of ours or theirs.
     Internal(String),
+    /// A kernel that stands in for one of the program's is not right: where, and why.
+    Kernel(String),
 }
 
 impl std::fmt::Display for BackendError {
@@ -49,6 +51,7 @@ impl std::fmt::Display for BackendError {
                 "error: the graphics driver refused a call: {what}\n  = help: `--adapter cpu` \
                  does not need the driver; `motes check` may name the stage"
             ),
+            Self::Kernel(what) => write!(f, "error: {}", what.trim_start_matches("error: ")),
         }
     }
 }

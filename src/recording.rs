@@ -36,6 +36,13 @@ impl PartialEq for Change {
 
 impl Eq for Change {}
 
+impl Change {
+    /// Path of the key that it sets.
+    pub fn key(&self) -> &str {
+        self.set.split('=').next().unwrap_or_default().trim()
+    }
+}
+
 /// Changes in the order of their frames.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Recording {

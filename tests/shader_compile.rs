@@ -191,7 +191,7 @@ fn every_kernel_compiles_at_every_size_and_is_decorated() {
                         checked,
                         off,
                         wide,
-                        mutate: None,
+                        ..CompileOptions::default()
                     };
                     match shader::compile(kernel.name, &options) {
                         Ok(compiled) => assert_exact(kernel.name, &compiled.spirv),

@@ -8,7 +8,7 @@ use super::{CliError, note};
 use crate::gpu::GpuDevice;
 use crate::scene::Loader;
 use crate::simulation::AdapterChoice;
-use crate::view::{self, App, Script, Session, Source, WindowError};
+use crate::view::{self, App, Script, Session, Source, WindowError, Wish};
 
 /// Arguments of `motes view`.
 #[derive(Debug, clap::Args)]
@@ -35,9 +35,13 @@ pub(super) struct ViewArgs {
     allow_outside: bool,
     /// Play this script in a window that nobody sees: lines of `PASS ACTION`, actions being turn
     /// PATH=VALUE, move X Y, press, release, press right, release right, wheel NOTCHES, key NAME,
-    /// detail 0..3, undo, shot FILE.png, save FILE.toml and end
+    /// detail 0..4 [lines], undo, shot FILE.png, save FILE.toml and end
     #[arg(long, value_name = "FILE")]
     script: Option<PathBuf>,
+    /// Run kernels from this folder in place of those of the same name that the program has, and read
+    /// them again whenever they are written: for who works on them
+    #[arg(long, value_name = "DIR")]
+    kernels: Option<PathBuf>,
 }
 
 pub(super) fn run(args: &ViewArgs) -> Result<u8, CliError> {
@@ -67,9 +71,17 @@ pub(super) fn run(args: &ViewArgs) -> Result<u8, CliError> {
     }
     match &args.script {
         Some(path) => play(args, path, &sets, loader, size_px),
-        None => view::open(&args.scene, &sets, loader, &args.adapter, size_px)
-            .map_err(CliError::from)
-            .map(|()| 0),
+        None => {
+            let wish = Wish {
+                scene: args.scene.clone(),
+                sets,
+                loader,
+                kernels: args.kernels.clone(),
+                adapter: args.adapter.clone(),
+                size_px,
+            };
+            view::open(wish).map_err(CliError::from).map(|()| 0)
+        }
     }
 }
 
@@ -94,8 +106,9 @@ fn play(
         view::device_of(&instance, &args.adapter, |_| true).map_err(machine)?;
     let ours = GpuDevice::from_wgpu(&device, &queue).map_err(|e| machine(e.to_string()))?;
     let is_timed = device.features().contains(wgpu::Features::TIMESTAMP_QUERY);
-    let session = Session::new(Source::new((&args.scene, sets, loader), (ours, is_timed)))
-        .map_err(|told| CliError::from(WindowError::Scene(told)))?;
+    let source = Source::new((&args.scene, sets, loader), (ours, is_timed))
+        .with_kernels(args.kernels.clone());
+    let session = Session::new(source).map_err(|told| CliError::from(WindowError::Scene(told)))?;
     let mut app = App::new(session);
     view::play(&mut app, &script, (device, queue), size_px)?;
     let changes = app.session.recording().changes.len();

@@ -48,7 +48,7 @@ use kernel::Kernel;
 use memory::Memory;
 use options::switches_off;
 use readback::StatisticsRing;
-use shader::sources::WIDE_KERNELS;
+use shader::sources::{KernelTexts, WIDE_KERNELS};
 use tiling::Tiling;
 use timing::Timer;
 
@@ -127,7 +127,20 @@ impl GpuBackend {
     /// # Errors
     /// The plan does not fit the adapter, memory runs out, or the driver refuses a kernel.
     pub fn new(gpu: &GpuDevice, plan: &Plan, options: &GpuOptions) -> Result<Self, BackendError> {
-        gpu.watched(|| Self::build(gpu, plan, options, None))
+        gpu.watched(|| Self::build(gpu, plan, options, (None, None)))
+    }
+
+    /// As [`GpuBackend::new`], with other kernels than the program's.
+    ///
+    /// # Errors
+    /// As [`GpuBackend::new`], or one of them is not right.
+    pub fn with_kernels(
+        gpu: &GpuDevice,
+        plan: &Plan,
+        options: &GpuOptions,
+        texts: &KernelTexts,
+    ) -> Result<Self, BackendError> {
+        gpu.watched(|| Self::build(gpu, plan, options, (Some(texts), None)))
     }
 
     /// As [`GpuBackend::new`], with a defect put in on purpose.
@@ -140,14 +153,14 @@ impl GpuBackend {
         options: &GpuOptions,
         mutation: Mutation,
     ) -> Result<Self, BackendError> {
-        gpu.watched(|| Self::build(gpu, plan, options, Some(mutation)))
+        gpu.watched(|| Self::build(gpu, plan, options, (None, Some(mutation))))
     }
 
     fn build(
         gpu: &GpuDevice,
         plan: &Plan,
         options: &GpuOptions,
-        mutation: Option<Mutation>,
+        (texts, mutation): (Option<&KernelTexts>, Option<Mutation>),
     ) -> Result<Self, BackendError> {
         if let Some(lost) = gpu.loss() {
             return Err(lost);
@@ -204,10 +217,14 @@ impl GpuBackend {
                     checked: options.checked,
                     off: &off,
                     wide,
+                    texts,
                     mutate,
                 },
             )
-            .map_err(|e| BackendError::Internal(e.to_string()))?;
+            .map_err(|e| match texts {
+                Some(_) => BackendError::Kernel(e.to_string()),
+                None => BackendError::Internal(e.to_string()),
+            })?;
             kernels.insert(
                 source.name,
                 Kernel::new(gpu, &compiled, form, options.checked)?,

@@ -2,6 +2,7 @@
 //! noted, so that nobody writes over it, and all together of bounded size.
 
 use std::cell::{Cell, RefCell};
+use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::{ErrorKind, Read as _};
 use std::path::{Component, Path, PathBuf};
@@ -37,6 +38,8 @@ pub(super) struct Files {
     allow_outside: bool,
     /// Those that were opened, with what they are to the scene.
     opened: RefCell<Vec<(&'static str, PathBuf)>>,
+    /// Those of the program that were read, by their places in [`BUILTIN_FILES`].
+    carried: RefCell<BTreeSet<usize>>,
     /// Bytes that may still be read.
     left: Cell<u64>,
     pub(super) meshes: RefCell<Meshes>,
@@ -60,6 +63,7 @@ impl Files {
             home,
             allow_outside,
             opened: RefCell::default(),
+            carried: RefCell::default(),
             left: Cell::new(MOST_BYTES),
             meshes: RefCell::default(),
         }
@@ -69,6 +73,34 @@ impl Files {
     /// their buffers.
     pub(super) fn opened(&self) -> Vec<(&'static str, PathBuf)> {
         self.opened.borrow().clone()
+    }
+
+    /// Files that the scene's text needs beside it wherever it is written to, by their places relative
+    /// to it, with their bytes: those that the program carries, and those in the scene's own folder.
+    #[cfg(feature = "view")]
+    pub(super) fn companions(&self) -> std::io::Result<Vec<(PathBuf, Vec<u8>)>> {
+        let carried = self.carried.borrow();
+        let carried = carried.iter().map(|at| {
+            let (name, bytes) = BUILTIN_FILES[*at];
+            (PathBuf::from(name), bytes.to_vec())
+        });
+        let mut companions: Vec<_> = carried.collect();
+        let Home::Folder(folder) = &self.home else {
+            return Ok(companions);
+        };
+        let home = match folder.as_os_str().is_empty() {
+            true => Path::new(".").canonicalize()?,
+            false => folder.canonicalize()?,
+        };
+        // The first is the scene itself.
+        for (_, place) in self.opened.borrow().iter().skip(1) {
+            if let Ok(within) = place.strip_prefix(&home) {
+                companions.push((within.to_owned(), std::fs::read(place)?));
+            }
+        }
+        companions.sort();
+        companions.dedup();
+        Ok(companions)
     }
 
     /// A file of the scene by its path, which must be one that may be read.
@@ -115,7 +147,10 @@ impl Files {
     /// The bytes of a file, which is `what` to the scene.
     pub(super) fn read(&self, found: &Found, what: &'static str) -> Result<Vec<u8>, MeshError> {
         let place = match found {
-            Found::Carried(at) => return Ok(BUILTIN_FILES[*at].1.to_vec()),
+            Found::Carried(at) => {
+                self.carried.borrow_mut().insert(*at);
+                return Ok(BUILTIN_FILES[*at].1.to_vec());
+            }
             Found::OnDisk(place) => place,
         };
         self.opened.borrow_mut().push((what, place.clone()));

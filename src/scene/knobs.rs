@@ -45,9 +45,13 @@ pub(super) fn of_text(scene: SceneText) -> Result<Vec<Knob>, SceneError> {
         text: text.into_owned(),
         first_line: Some(1),
     };
-    let root = tree::document(&Rc::new(source))?;
+    of_tree(&tree::document(&Rc::new(source))?)
+}
+
+/// The knobs of a scene that is right.
+pub(super) fn of_tree(root: &Node) -> Result<Vec<Knob>, SceneError> {
     let mut finder = Finder { found: Vec::new() };
-    finder.table("", SCENE, Some(&root))?;
+    finder.table("", SCENE, Some(root))?;
     Ok(finder.found)
 }
 

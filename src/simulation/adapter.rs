@@ -55,7 +55,11 @@ pub(super) fn backend(plan: &Plan, options: &Options) -> Result<Box<dyn Backend>
         Ok(Box::new(CpuBackend::new(plan, options.threads)?))
     };
     let on = |device: &GpuDevice| -> Result<Box<dyn Backend>, SimulationError> {
-        Ok(Box::new(GpuBackend::new(device, plan, &options.gpu)?))
+        let begun = match &options.kernels {
+            Some(texts) => GpuBackend::with_kernels(device, plan, &options.gpu, texts),
+            None => GpuBackend::new(device, plan, &options.gpu),
+        };
+        Ok(Box::new(begun?))
     };
     match &options.adapter {
         AdapterChoice::Cpu => on_cpu(),

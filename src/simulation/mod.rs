@@ -13,6 +13,8 @@ mod read;
 mod snapshot;
 mod spread;
 
+use std::sync::Arc;
+
 pub use crate::gpu::{AdapterDescription, ParticleBuffers, TextureError, UnfitDevice, adapters};
 pub use adapter::{AdapterChoice, adapter_names};
 pub use error::SimulationError;
@@ -26,13 +28,14 @@ pub use spread::PointState;
 
 use crate::backend::Backend;
 use crate::gpu::GpuOptions;
+use crate::gpu::shader::sources::KernelTexts;
 use crate::layout::Frame;
 use crate::plan::{FrameInputs, Plan, PlanError, Turn};
 use crate::scene::Scene;
 use adapter::backend;
 use inputs::check_sizes;
 
-/// How to run a scene. Nothing here but the turns changes a bit of the result.
+/// How to run a scene. Nothing here but the turns, and other kernels, changes a bit of the result.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// Where.
@@ -47,6 +50,9 @@ pub struct Options {
     pub editable: bool,
     /// How a device is used.
     pub gpu: GpuOptions,
+    /// Kernels that a device runs in place of the program's own, which may change bits: for who works
+    /// on them.
+    pub kernels: Option<Arc<KernelTexts>>,
     /// Threads of the processor's backend; `None` for one a core.
     pub threads: Option<usize>,
 }

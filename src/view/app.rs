@@ -70,6 +70,23 @@ impl App {
         };
     }
 
+    /// Reads the scene's files again and begins anew at the same frame; whether they are right.
+    pub(super) fn reload(&mut self) -> bool {
+        let outcome = self.session.reload();
+        let is_right = outcome.is_ok();
+        self.did(outcome, |left_out| {
+            let what = match left_out.as_slice() {
+                [] => "read the scene again".to_owned(),
+                keys => format!(
+                    "read the scene again; what was turned of these does not fit it any more: {}",
+                    keys.join(", ")
+                ),
+            };
+            Some(what)
+        });
+        is_right
+    }
+
     fn count(&mut self) {
         let frame = self.session.frame();
         let is_due = self
@@ -228,18 +245,24 @@ impl App {
         ui.add_enabled_ui(self.session.can_be_coarse(), |ui| {
             let shown = egui::ComboBox::from_label("detail").selected_text(wanted.name());
             shown.show_ui(ui, |ui| {
-                for level in Detail::LEVELS {
+                for level in Detail::LEVELS.map(|level| level.with_lines(wanted.flame_lines)) {
                     ui.selectable_value(&mut wanted, level, level.name());
                 }
             });
-            let mut keeps_up = self.session.least_rate.is_some();
-            let mut rate = self.session.least_rate.unwrap_or(20.0);
+            let mut lines = wanted.flame_lines;
+            if !self.session.scene().fires.is_empty() {
+                ui.checkbox(&mut lines, "flames as lines");
+            }
+            wanted = wanted.with_lines(lines);
+            let least_rate = &mut self.session.pace.least_rate;
+            let mut keeps_up = least_rate.is_some();
+            let mut rate = least_rate.unwrap_or(20.0);
             ui.horizontal(|ui| {
                 ui.checkbox(&mut keeps_up, "less, to keep up with");
                 let slot = egui::DragValue::new(&mut rate).range(1.0..=120.0);
                 ui.add(slot.suffix(" frames a second"));
             });
-            self.session.least_rate = keeps_up.then_some(rate);
+            *least_rate = keeps_up.then_some(rate);
         });
         if wanted != self.session.detail() {
             let outcome = self.session.set_detail(wanted);

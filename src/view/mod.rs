@@ -10,8 +10,10 @@ mod detail;
 mod error;
 mod knobs;
 mod orbit;
+mod pace;
 mod script;
 mod session;
+mod source;
 mod stage;
 mod window;
 
@@ -19,9 +21,11 @@ pub use app::App;
 pub use detail::Detail;
 pub use error::WindowError;
 pub use orbit::Orbit;
+pub use pace::Pace;
 pub use script::{Script, ScriptError, play};
-pub use session::{Session, Source, Told};
-pub use window::open;
+pub use session::{Session, Told};
+pub use source::Source;
+pub use window::{Wish, open};
 
 use crate::gpu;
 use crate::simulation::AdapterChoice;

@@ -12,7 +12,7 @@
 //! 6 release
 //! 9 wheel 2                     notches away from oneself
 //! 9 key Space
-//! 12 detail 2                   how much is drawn: 0 all, 3 the least
+//! 12 detail 2 lines             how much is drawn: 0 all, 4 the least; flames as lines
 //! 20 undo
 //! 30 shot window.png            the window after this pass
 //! 40 save mine.toml             the scene, and what was done beside it
@@ -65,7 +65,7 @@ impl std::fmt::Display for ScriptError {
         write!(
             f,
             "error: {}\n  = help: a line is `PASS ACTION`: turn PATH=VALUE, move X Y, press [right], release [right], \
-             wheel NOTCHES, key NAME, detail 0..3, undo, shot FILE.png, save FILE.toml or end; passes in order; `#` \
+             wheel NOTCHES, key NAME, detail 0..4 [lines], undo, shot FILE.png, save FILE.toml or end; passes in order; `#` \
              begins a comment",
             self.0
         )
@@ -131,8 +131,13 @@ fn action(text: &str) -> Option<Action> {
         "wheel" => Some(Action::Wheel(number(rest)?)),
         "key" => egui::Key::from_name(rest).map(Action::Key),
         "detail" => {
-            let level: usize = rest.parse().ok()?;
-            Detail::LEVELS.get(level).copied().map(Action::Detail)
+            let (level, lines) = match rest.split_once(' ') {
+                Some((level, rest)) if rest.trim() == "lines" => (level, true),
+                Some(_) => return None,
+                None => (rest, false),
+            };
+            let level = Detail::LEVELS.get(level.parse::<usize>().ok()?)?;
+            Some(Action::Detail(level.with_lines(lines)))
         }
         "shot" => file(".png").map(Action::Shot),
         "save" => file(".toml").map(Action::Save),

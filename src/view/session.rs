@@ -2,67 +2,20 @@
 //! that it can be done again bit for bit (Perry 1994, 1.2: interactive control).
 
 use std::path::{Path, PathBuf};
-use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use super::detail::{Detail, hangs_on_pixels};
 use super::error::WindowError;
 use super::orbit::Orbit;
-use crate::gpu::{GpuDevice, GpuOptions};
+use super::pace::Pace;
+use super::source::{Source, frame_end, lives_for_ever, told};
 use crate::output::write_whole;
-use crate::plan::{Plan, Turn};
 use crate::recording::{Change, Recording};
-use crate::scene::{
-    Corners, Dimensions, Draft, Flock, Goal, Ignition, Knob, KnobValue, Loader, Scene, SceneError,
-};
-use crate::simulation::{AdapterChoice, Options, Pick, Ray, Simulation, SimulationError, Snapshot};
-
-/// Room for so many times the particles that the scene can have as it is.
-const ROOM: u32 = 4;
-/// Room at least.
-const LEAST_ROOM: u32 = 100_000;
-/// Room at most, unless the scene has more particles as it is.
-const MOST_ROOM: u32 = 8_000_000;
+use crate::scene::{Corners, Dimensions, Flock, Goal, Ignition, Knob, KnobValue, Scene};
+use crate::simulation::{Pick, Ray, Simulation};
 
 /// How much boids accelerate, as a share of their greatest speed, to where somebody calls them.
 const CALLED_LIMIT: f32 = 0.05;
-
-/// Frames that a detail is tried for before another is chosen.
-const SETTLING_FRAMES: u32 = 20;
-
-/// Frames that take less than this share of the time that there is leave room for more detail, as far as
-/// one knows who has not tried.
-const SPARE_SHARE: f32 = 0.3;
-
-/// What frames may take of the time that there is where more detail was tried before.
-const ENOUGH_SHARE: f32 = 0.8;
-
-/// What to play with, and on what.
-pub struct Source {
-    /// Name of a built-in scene, or path.
-    pub scene: String,
-    /// Changes made to it before it begins, as `--set` has them.
-    pub sets: Vec<String>,
-    /// How it is loaded.
-    pub loader: Loader,
-    /// Where it runs.
-    pub device: GpuDevice,
-    /// Whether the device was opened with a clock.
-    pub is_timed: bool,
-    /// How much of it is drawn, and what that changes of it, as `--set` has it.
-    detail: (Detail, Vec<String>),
-    /// What was read of its files last.
-    read: Option<Rc<Files>>,
-}
-
-/// What was read of a scene's files.
-struct Files {
-    draft: Draft,
-    /// Its text.
-    text: String,
-    /// What can be turned, as it is written.
-    knobs: Vec<Knob>,
-}
 
 /// What went wrong, for the window: a few lines.
 pub type Told = String;
@@ -76,6 +29,8 @@ pub struct Session {
     knobs: Vec<Knob>,
     recording: Recording,
     undone: Vec<Undo>,
+    /// One past the last frame that there are places for, where something lives for ever.
+    frame_end: u32,
     /// Whether frames follow each other by themselves.
     pub playing: bool,
     /// Frames a second over those that the scene asks for.
@@ -89,14 +44,8 @@ pub struct Session {
     pub times: Vec<(&'static str, f64)>,
     /// Frame times, the last 240, milliseconds.
     pub history: Vec<f32>,
-    /// Frames a second that detail is given up for, if it is slower; `None` for all detail that was asked
-    /// for.
-    pub least_rate: Option<f32>,
-    /// Frames since the detail was chosen.
-    settled: u32,
-    /// Of each level, when it was last given up for less: what frames took, and then took with less,
-    /// milliseconds.
-    given_up: [Option<[f32; 2]>; Detail::LEVELS.len()],
+    /// Gives up detail for frames a second, if it is to.
+    pub pace: Pace,
 }
 
 /// How a knob stood before it was turned.
@@ -114,42 +63,25 @@ impl Session {
         source.read_files()?;
         source.make_room()?;
         let scene = source.load(&[])?;
-        let knobs = source.files()?.knobs.clone();
+        let knobs = source.knobs(&[])?;
         let recording = Recording::default();
         let simulation = source.begin(&scene, &recording, 0)?;
-        let mut session = Self {
+        Ok(Self {
+            frame_end: frame_end(&scene, 0),
             orbit: Orbit::STILL,
             playing: true,
             speed: 1.0,
             owed: Duration::ZERO,
             times: Vec::new(),
             history: Vec::new(),
-            least_rate: None,
-            settled: 0,
-            given_up: [None; Detail::LEVELS.len()],
+            pace: Pace::default(),
             undone: Vec::new(),
             source,
             simulation,
             scene,
             knobs,
             recording,
-        };
-        session.note_sets(&[]);
-        Ok(session)
-    }
-
-    /// Shows what `--set` has changed, and then these changes.
-    fn note_sets(&mut self, changes: &[String]) {
-        let sets = [self.source.sets.as_slice(), changes].concat();
-        for (path, value) in sets.iter().filter_map(|set| set.split_once('=')) {
-            self.note_value(path, KnobValue::Written(value.to_owned()));
-        }
-    }
-
-    fn note_value(&mut self, path: &str, value: KnobValue) {
-        if let Some(knob) = self.knobs.iter_mut().find(|knob| knob.path == path) {
-            knob.value = value;
-        }
+        })
     }
 
     /// The scene as it is now.
@@ -182,8 +114,8 @@ impl Session {
         self.simulation.frame().unwrap_or(0)
     }
 
-    /// Steps as many frames as are due after this time, at most one: what is too slow for its frame
-    /// rate shows every frame, later. Whether any was.
+    /// Steps the frames that are due after this time, no more than one picture shows: what is too slow
+    /// for its frame rate runs slower. Whether any was.
     ///
     /// # Errors
     /// The machine.
@@ -191,25 +123,40 @@ impl Session {
         if !self.playing {
             return Ok(false);
         }
-        let frame =
-            Duration::from_secs_f32(1.0 / (self.scene.frame_rate as f32 * self.speed.max(0.01)));
-        self.owed = (self.owed + passed).min(frame * 2);
-        if self.owed < frame {
+        let frames = self.detail().frames_a_picture;
+        let rate = self.scene.frame_rate as f32 * self.speed.max(0.01);
+        let due = Duration::from_secs_f32(frames as f32 / rate);
+        self.owed = (self.owed + passed).min(due * 2);
+        if self.owed < due {
             return Ok(false);
         }
-        self.owed -= frame;
-        self.step()?;
+        self.owed -= due;
+        self.step_frames(frames)?;
         Ok(true)
     }
 
     /// Steps one frame.
     ///
     /// # Errors
-    /// The machine.
+    /// The machine, or there are no more frames: where something lives for ever, a run has an end.
     pub fn step(&mut self) -> Result<(), Told> {
+        self.step_frames(1)
+    }
+
+    fn step_frames(&mut self, count: u32) -> Result<(), Told> {
         let begun = Instant::now();
-        self.simulation.step().map_err(told)?;
-        self.take_times(begun);
+        self.times.clear();
+        for _ in 0..count {
+            if self.next_frame() >= self.frame_end && lives_for_ever(&self.scene) {
+                return Err(format!(
+                    "the run ends here: something lives for ever, and has places for {} frames",
+                    self.frame_end
+                ));
+            }
+            self.simulation.step().map_err(told)?;
+            self.note_kernels();
+        }
+        self.note_times(begun, count);
         self.keep_up()
     }
 
@@ -232,30 +179,34 @@ impl Session {
         if detail == self.detail() {
             return Ok(());
         }
-        if detail != Detail::LEVELS[0] && !self.can_be_coarse() {
+        if detail != Detail::FULL && !self.can_be_coarse() {
             return Err("births go by the area that systems are seen on: all is drawn".into());
         }
-        let snapshot = self.simulation.snapshot().map_err(told)?;
         let before = self.source.detail.clone();
-        let begun = self
-            .source
-            .draw_as(detail)
-            .and_then(|()| self.resume(snapshot.as_ref()));
+        let begun = self.source.draw_as(detail).and_then(|()| {
+            // Fewer pictures are of the same kind.
+            match self.source.detail.1 == before.1 {
+                true => Ok(()),
+                false => self.resume(),
+            }
+        });
         if begun.is_err() {
             self.source.detail = before;
         }
-        self.settled = 0;
+        self.pace.settle();
         begun
     }
 
-    /// Goes on from the snapshot with what the source says now.
-    fn resume(&mut self, snapshot: Option<&Snapshot>) -> Result<(), Told> {
-        let sets = self.recording.changes.iter();
-        let sets: Vec<String> = sets.map(|change| change.set.clone()).collect();
+    /// Goes on from where it is with what the source says now.
+    fn resume(&mut self) -> Result<(), Told> {
+        let snapshot = self.simulation.snapshot().map_err(told)?;
+        let sets = self.sets();
         let (begun, scene) = (self.source.load(&[])?, self.source.load(&sets)?);
-        let mut simulation = self.source.prepare(&begun, &self.recording)?;
+        let mut simulation = self
+            .source
+            .prepare(&begun, &self.recording, self.frame_end)?;
         match snapshot {
-            Some(snapshot) => simulation.restore(snapshot).map_err(told)?,
+            Some(snapshot) => simulation.restore(&snapshot).map_err(told)?,
             None => simulation.seek(0).map_err(told)?,
         }
         (self.simulation, self.scene) = (simulation, scene);
@@ -264,60 +215,30 @@ impl Session {
 
     /// Gives up detail if frames take too long, and takes it back when there is time enough.
     fn keep_up(&mut self) -> Result<(), Told> {
-        self.settled += 1;
-        let Some(rate) = self.least_rate.filter(|_| self.can_be_coarse()) else {
-            return Ok(());
-        };
-        if self.settled < SETTLING_FRAMES {
+        if !self.can_be_coarse() {
             return Ok(());
         }
-        let recent = self.history.iter().rev().take(SETTLING_FRAMES as usize / 2);
-        let mut recent: Vec<f32> = recent.copied().collect();
-        recent.sort_by(f32::total_cmp);
-        let typical = recent.get(recent.len() / 2).copied().unwrap_or(0.0);
-        let share = typical * rate / 1000.0;
-        let level = Detail::LEVELS
-            .iter()
-            .position(|it| *it == self.detail())
-            .unwrap_or(0);
-        if let Some(more) = level.checked_sub(1) {
-            // What more would take now, as it did when it was given up.
-            let expected = match &mut self.given_up[more] {
-                None if share < SPARE_SHARE => 0.0,
-                None => 1.0,
-                Some([was, became]) => {
-                    if *became == 0.0 {
-                        *became = typical;
-                    }
-                    share * *was / *became
-                }
-            };
-            if expected < ENOUGH_SHARE {
-                self.given_up[more] = None;
-                return self.set_detail(Detail::LEVELS[more]);
-            }
-        }
-        if share >= 1.0 && level + 1 < Detail::LEVELS.len() {
-            self.given_up[level] = Some([typical, 0.0]);
-            return self.set_detail(Detail::LEVELS[level + 1]);
-        }
-        Ok(())
+        let chosen = self.pace.choose(&self.history, self.detail());
+        chosen.map_or(Ok(()), |detail| self.set_detail(detail))
     }
 
-    fn take_times(&mut self, begun: Instant) {
-        let kernels = self.simulation.take_kernel_times().unwrap_or_default();
-        if !kernels.is_empty() {
-            self.times.clear();
-        }
-        for (name, ms) in kernels {
+    fn note_kernels(&mut self) {
+        for (name, ms) in self.simulation.take_kernel_times().unwrap_or_default() {
             match self.times.iter_mut().find(|(of, _)| *of == name) {
                 Some((_, sum)) => *sum += ms,
                 None => self.times.push((name, ms)),
             }
         }
+    }
+
+    /// Makes times those of one frame, of so many that were stepped since.
+    fn note_times(&mut self, begun: Instant, frames: u32) {
+        for (_, ms) in &mut self.times {
+            *ms /= f64::from(frames);
+        }
         // A device draws while its caller goes on: what it took is told by its clock.
         let on_device: f64 = self.times.iter().map(|(_, ms)| ms).sum();
-        let waited = begun.elapsed().as_secs_f32() * 1000.0;
+        let waited = begun.elapsed().as_secs_f32() * 1000.0 / frames as f32;
         self.history.push(waited.max(on_device as f32));
         let surplus = self.history.len().saturating_sub(240);
         self.history.drain(..surplus);
@@ -344,7 +265,7 @@ impl Session {
 
     /// Whether the change before the last was of the same knob, a frame ago at most.
     fn is_held(&self, path: &str) -> bool {
-        let of = |change: &&Change| change.set.split('=').next() == Some(path);
+        let of = |change: &&Change| change.key() == path;
         let mut own = self.recording.changes.iter().rev().filter(of);
         match (own.next(), own.next()) {
             (Some(last), Some(before)) => last.frame - before.frame <= 1,
@@ -356,12 +277,14 @@ impl Session {
         let set = format!("{path}={value}");
         let frame = self.next_frame();
         let mut changes = self.recording.changes.clone();
-        // Of several changes of a knob in a frame, the last holds.
-        changes
-            .retain(|change| change.frame != frame || change.set.split('=').next() != Some(path));
-        let sets: Vec<String> = changes.iter().map(|change| change.set.clone()).collect();
-        let scene = self.source.load(&[sets, vec![set.clone()]].concat())?;
-        if self.detail() != Detail::LEVELS[0] && hangs_on_pixels(&scene) {
+        // Of a knob that is held, the last value in a frame counts. No other change of the frame is left
+        // out or moved: each is refused or not by those before it, here and where it is replayed.
+        changes.pop_if(|last| last.frame == frame && last.key() == path);
+        let sets = changes.iter().map(|change| change.set.clone());
+        let sets: Vec<String> = sets.chain([set.clone()]).collect();
+        let scene = self.source.load(&sets)?;
+        let knobs = self.source.knobs(&sets)?;
+        if self.detail() != Detail::FULL && hangs_on_pixels(&scene) {
             return Err(
                 "births would go by the area that systems are seen on: draw all detail first"
                     .into(),
@@ -374,8 +297,7 @@ impl Session {
             line: 0,
         });
         self.recording.changes = changes;
-        self.scene = scene;
-        self.note_value(path, KnobValue::Written(value.to_owned()));
+        (self.scene, self.knobs) = (scene, knobs);
         Ok(())
     }
 
@@ -537,28 +459,26 @@ impl Session {
         begun
     }
 
-    /// Reads the scene's file and its meshes again, and begins anew at the same frame. What is wrong with it leaves
-    /// all as it was.
+    /// Reads the scene's file and its meshes again, and begins anew at the same frame, with what was done.
+    /// Knobs that the scene no longer turns so are left as it has them: the keys of these. What is wrong
+    /// with it leaves all as it was.
     ///
     /// # Errors
     /// The scene.
-    pub fn reload(&mut self) -> Result<(), Told> {
-        let before = (self.source.read.clone(), self.source.detail.clone());
+    pub fn reload(&mut self) -> Result<Vec<String>, Told> {
+        let before = self.source.as_read();
         let begun = self
             .source
             .read_files()
             .and_then(|()| self.source.draw_as(self.detail()))
             .and_then(|()| {
-                let recording = match self.source.turns(&self.recording) {
-                    Ok(_) => self.recording.clone(),
-                    // The keys that were turned are not what they were.
-                    Err(_) => Recording::default(),
-                };
-                self.begin_again(recording, self.frame())
+                let (recording, left_out) = self.source.fitting(&self.recording);
+                self.begin_again(recording, self.frame())?;
+                Ok(left_out)
             });
         match begun {
-            Ok(()) => self.undone.clear(),
-            Err(_) => (self.source.read, self.source.detail) = before,
+            Ok(_) => self.undone.clear(),
+            Err(_) => self.source.put_back(before),
         }
         begun
     }
@@ -569,24 +489,32 @@ impl Session {
         let sets = recording.changes.iter().map(|change| change.set.clone());
         let sets: Vec<String> = sets.collect();
         let (begun, scene) = (self.source.load(&[])?, self.source.load(&sets)?);
-        let knobs = self.source.files()?.knobs.clone();
+        let knobs = self.source.knobs(&sets)?;
         self.simulation = self.source.begin(&begun, &recording, frame)?;
+        self.frame_end = frame_end(&begun, frame);
         (self.scene, self.knobs, self.recording) = (scene, knobs, recording);
-        self.note_sets(&sets);
         Ok(())
     }
 
-    /// Writes the scene to `path`, and what has been done beside it, with ending `.inputs`:
-    /// `motes render` with `--inputs` makes the same run of them. The recording's path.
+    /// What was done, as `--set` has it.
+    fn sets(&self) -> Vec<String> {
+        let changes = self.recording.changes.iter();
+        changes.map(|change| change.set.clone()).collect()
+    }
+
+    /// Writes the scene to `path`, its meshes to where it looks for them from there, and what has been done
+    /// beside it, with ending `.inputs`: `motes render` with `--inputs` makes the same run of them. The
+    /// recording's path.
     ///
     /// # Errors
-    /// It cannot be written.
+    /// It cannot be written, or there is another file where a mesh would go.
     pub fn save_as(&self, path: &Path) -> Result<PathBuf, WindowError> {
         if path.extension().is_none_or(|ending| ending != "toml") {
-            let told = format!("error: {}: a scene's file ends in .toml", path.display());
-            return Err(WindowError::Scene(told));
+            let told = format!("{}: a scene's file ends in .toml", path.display());
+            return Err(wrong(&told));
         }
         let files = self.source.files().map_err(WindowError::Scene)?;
+        let meshes = self.meshes_beside(path)?;
         let inputs = path.with_extension("inputs");
         let sets: String = self
             .source
@@ -594,16 +522,49 @@ impl Session {
             .iter()
             .map(|set| format!(" --set '{set}'"))
             .collect();
+        let outside = match self.source.loader.allow_outside {
+            true => " --allow-outside",
+            false => "",
+        };
         let head = format!(
-            "# motes render {}{sets} --inputs {} --frames 0..{}\n",
+            "# motes render {}{sets}{outside} --inputs {} --frames 0..{}\n",
             path.display(),
             inputs.display(),
             self.frame() + 1
         );
+        for (place, bytes) in meshes {
+            if let Some(folder) = place.parent() {
+                let made = std::fs::create_dir_all(folder);
+                made.map_err(|error| wrong(&format!("{}: {error}", folder.display())))?;
+            }
+            write_whole(&place, &bytes).map_err(WindowError::Output)?;
+        }
         write_whole(&inputs, (head + &self.recording.to_text()).as_bytes())
             .map_err(WindowError::Output)?;
         write_whole(path, files.text.as_bytes()).map_err(WindowError::Output)?;
         Ok(inputs)
+    }
+
+    /// Meshes that a scene at `path` would look for where there is none yet, with their bytes.
+    fn meshes_beside(&self, path: &Path) -> Result<Vec<(PathBuf, Vec<u8>)>, WindowError> {
+        let files = self.source.files().map_err(WindowError::Scene)?;
+        let read = files.draft.companions();
+        let read = read.map_err(|error| wrong(&format!("a mesh of the scene: {error}")))?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let mut missing = Vec::new();
+        for (name, bytes) in read {
+            let place = folder.join(name);
+            match std::fs::read(&place) {
+                Ok(there) if there == bytes => {}
+                Ok(_) => {
+                    let told = "there is another file where the scene's mesh would go: save it to \
+                                another folder";
+                    return Err(wrong(&format!("{}: {told}", place.display())));
+                }
+                Err(_) => missing.push((place, bytes)),
+            }
+        }
+        Ok(missing)
     }
 
     /// Draws the last frame into the texture, as it is looked at.
@@ -638,127 +599,6 @@ fn place_for(flock: &Flock, ray: &Ray) -> Option<[f32; 3]> {
     }
 }
 
-fn told(error: SimulationError) -> Told {
-    error.to_string()
-}
-
-impl Source {
-    /// A scene, by name or path, with changes made to it before it begins, loaded so, on that device, which
-    /// has a clock or not.
-    pub fn new(
-        (scene, sets, loader): (&str, &[String], Loader),
-        (device, is_timed): (GpuDevice, bool),
-    ) -> Self {
-        Self {
-            scene: scene.to_owned(),
-            sets: sets.to_vec(),
-            loader,
-            device,
-            is_timed,
-            detail: (Detail::LEVELS[0], Vec::new()),
-            read: None,
-        }
-    }
-
-    /// Gives a scene that names no capacity one that its births may be turned up to.
-    fn make_room(&mut self) -> Result<(), Told> {
-        let scene = self.load(&[])?;
-        if scene.capacity.is_some() || scene.systems.is_empty() {
-            return Ok(());
-        }
-        let plan = Plan::new(&scene, scene.frames).map_err(|error| error.to_string())?;
-        let room = plan
-            .capacity
-            .saturating_mul(ROOM)
-            .clamp(LEAST_ROOM, MOST_ROOM);
-        let capacity = room.max(plan.capacity);
-        self.sets.push(format!("capacity={capacity}"));
-        Ok(())
-    }
-
-    fn load(&self, sets: &[String]) -> Result<Scene, Told> {
-        let (_, coarser) = &self.detail;
-        self.load_as(&[&self.sets, sets, coarser].concat())
-    }
-
-    fn load_as(&self, sets: &[String]) -> Result<Scene, Told> {
-        self.draft_as(sets)?
-            .scene()
-            .map_err(|error| error.to_string())
-    }
-
-    fn draft_as(&self, sets: &[String]) -> Result<Draft, Told> {
-        let draft = self.files()?.draft.with(sets);
-        draft.map_err(|error| error.to_string())
-    }
-
-    fn files(&self) -> Result<&Files, Told> {
-        let read = self.read.as_deref();
-        read.ok_or_else(|| format!("error: {} has not been read", self.scene))
-    }
-
-    /// Reads its file and its meshes, once for many changes.
-    fn read_files(&mut self) -> Result<(), Told> {
-        let read = || -> Result<Files, SceneError> {
-            let draft = self.loader.draft(&self.scene, &[])?;
-            draft.with(&self.sets)?.scene()?;
-            Ok(Files {
-                draft,
-                text: self.loader.text(&self.scene)?,
-                knobs: self.loader.knobs(&self.scene)?,
-            })
-        };
-        let read = read().map_err(|error| error.to_string())?;
-        self.read = Some(Rc::new(read));
-        Ok(())
-    }
-
-    /// Every file that it was read from.
-    fn paths(&self) -> Vec<PathBuf> {
-        let files = self.read.as_ref().map(|read| read.draft.files());
-        files.into_iter().flatten().map(|(_, path)| path).collect()
-    }
-
-    /// Draws the scene, as its file is now, with that much detail; with all, if what happens hangs on it.
-    fn draw_as(&mut self, detail: Detail) -> Result<(), Told> {
-        let scene = self.load_as(&self.sets)?;
-        let detail = match hangs_on_pixels(&scene) {
-            true => Detail::LEVELS[0],
-            false => detail,
-        };
-        self.detail = (detail, detail.sets(&scene));
-        Ok(())
-    }
-
-    /// The run at `frame`.
-    fn begin(&self, scene: &Scene, done: &Recording, frame: u32) -> Result<Simulation, Told> {
-        let mut simulation = self.prepare(scene, done)?;
-        simulation.seek(frame).map_err(told)?;
-        Ok(simulation)
-    }
-
-    /// What was done, as turns of the scene as it is drawn.
-    fn turns(&self, done: &Recording) -> Result<Vec<Turn>, Told> {
-        let (_, coarser) = &self.detail;
-        let mut draft = self.draft_as(&[self.sets.as_slice(), coarser].concat())?;
-        let turns = done.turns_on(&mut draft, ("", "changes"));
-        turns.map_err(|refused| refused.message)
-    }
-
-    /// The run, no frame of which has been stepped.
-    fn prepare(&self, scene: &Scene, done: &Recording) -> Result<Simulation, Told> {
-        let options = Options {
-            adapter: AdapterChoice::Device(self.device.clone()),
-            // There is no end to playing, but there is to what lives for ever.
-            frame_end: scene.frames,
-            turns: self.turns(done)?,
-            editable: true,
-            gpu: GpuOptions {
-                timed: self.is_timed,
-                ..GpuOptions::default()
-            },
-            threads: None,
-        };
-        Simulation::new(scene, &options).map_err(told)
-    }
+fn wrong(told: &str) -> WindowError {
+    WindowError::Scene(format!("error: {told}"))
 }

@@ -12,7 +12,8 @@ use winit::window::{Window, WindowId};
 use super::app::App;
 use super::device_of;
 use super::error::WindowError;
-use super::session::{Session, Source};
+use super::session::Session;
+use super::source::Source;
 use super::stage::Stage;
 use crate::gpu::GpuDevice;
 use crate::scene::Loader;
@@ -20,26 +21,27 @@ use crate::scene::Loader;
 /// How often the scene's files are looked at.
 const WATCH_EVERY: Duration = Duration::from_millis(300);
 
-/// What to open; the adapter's name contains `adapter`, whatever the case.
-struct Wish {
-    scene: String,
-    sets: Vec<String>,
-    loader: Loader,
-    adapter: String,
-    size_px: [u32; 2],
+/// What to open a window on.
+pub struct Wish {
+    /// Name of a built-in scene, or path.
+    pub scene: String,
+    /// Changes made to it before it begins, as `--set` has them.
+    pub sets: Vec<String>,
+    /// How it is loaded.
+    pub loader: Loader,
+    /// A folder of kernels to run in place of the program's own.
+    pub kernels: Option<PathBuf>,
+    /// Part of the adapter's name, whatever the case; `auto` for any.
+    pub adapter: String,
+    /// Size of the window in pixels.
+    pub size_px: [u32; 2],
 }
 
-/// Opens a window of that size and plays the scene in it until it is closed.
+/// Opens a window and plays the scene in it until it is closed.
 ///
 /// # Errors
 /// [`WindowError`].
-pub fn open(
-    scene: &str,
-    sets: &[String],
-    loader: Loader,
-    adapter: &str,
-    size_px: [u32; 2],
-) -> Result<(), WindowError> {
+pub fn open(wish: Wish) -> Result<(), WindowError> {
     let machine = |error: &dyn std::fmt::Display| WindowError::Machine(error.to_string());
     let events = EventLoop::new().map_err(|error| {
         // Its words begin with the place in the library that they come from.
@@ -50,13 +52,7 @@ pub fn open(
         machine(&format!("there is no display: {}", told.trim()))
     })?;
     let mut player = Player {
-        wish: Wish {
-            scene: scene.to_owned(),
-            sets: sets.to_vec(),
-            loader,
-            adapter: adapter.to_owned(),
-            size_px,
-        },
+        wish,
         shown: None,
         failed: None,
     };
@@ -76,6 +72,7 @@ struct Player {
 /// An open window.
 struct Shown {
     window: Arc<Window>,
+    instance: wgpu::Instance,
     surface: wgpu::Surface<'static>,
     config: wgpu::SurfaceConfiguration,
     stage: Stage,
@@ -93,9 +90,11 @@ struct Watch {
 }
 
 impl Watch {
-    fn new(files: Vec<PathBuf>) -> Self {
+    /// Watches files that were read after `since`: what was written meanwhile may not have been read.
+    fn new(files: Vec<PathBuf>, since: SystemTime) -> Self {
+        let meanwhile = since..=SystemTime::now();
         let of = |path: PathBuf| {
-            let written = written_at(&path);
+            let written = written_at(&path).filter(|at| !meanwhile.contains(at));
             (path, written)
         };
         Self {
@@ -147,7 +146,12 @@ impl ApplicationHandler for Player {
         match event {
             WindowEvent::CloseRequested => event_loop.exit(),
             WindowEvent::Resized(size) => shown.resize(size.width, size.height),
-            WindowEvent::RedrawRequested => shown.redraw(),
+            WindowEvent::RedrawRequested => {
+                if let Err(error) = shown.redraw() {
+                    self.failed = Some(error);
+                    event_loop.exit();
+                }
+            }
             _ if used.repaint => shown.window.request_redraw(),
             _ => {}
         }
@@ -197,7 +201,9 @@ impl Shown {
         };
         surface.configure(&device, &config);
         let is_timed = device.features().contains(wgpu::Features::TIMESTAMP_QUERY);
-        let source = Source::new((&wish.scene, &wish.sets, wish.loader), (ours, is_timed));
+        let since = SystemTime::now();
+        let source = Source::new((&wish.scene, &wish.sets, wish.loader), (ours, is_timed))
+            .with_kernels(wish.kernels.clone());
         let session = Session::new(source).map_err(WindowError::Scene)?;
         let ctx = egui::Context::default();
         let events = egui_winit::State::new(
@@ -211,11 +217,12 @@ impl Shown {
         Ok(Self {
             stage: Stage::new(device, queue, config.format),
             window,
+            instance,
             surface,
             config,
             ctx,
             events,
-            watch: Watch::new(session.files()),
+            watch: Watch::new(session.files(), since),
             app: App::new(session),
             last: Instant::now(),
         })
@@ -229,23 +236,19 @@ impl Shown {
         }
     }
 
-    fn redraw(&mut self) {
+    fn redraw(&mut self) -> Result<(), WindowError> {
         let passed = self.last.elapsed();
         self.last = Instant::now();
         if self.watch.has_changed() {
-            match self.app.session.reload() {
-                Ok(()) => {
-                    self.watch = Watch::new(self.app.session.files());
-                    self.app.message = Some(("read the scene again".to_owned(), false));
-                }
-                Err(told) => self.app.message = Some((told, true)),
+            let since = SystemTime::now();
+            if self.app.reload() {
+                self.watch = Watch::new(self.app.session.files(), since);
             }
-            self.app.is_stale = true;
         }
         self.app.pass(passed);
         let size = self.window.inner_size();
         if size.width == 0 || size.height == 0 {
-            return;
+            return Ok(());
         }
         self.stage.refresh(&mut self.app);
         let input = self.events.take_egui_input(&self.window);
@@ -256,15 +259,54 @@ impl Shown {
         use wgpu::CurrentSurfaceTexture as Current;
         let frame = match self.surface.get_current_texture() {
             Current::Success(frame) | Current::Suboptimal(frame) => frame,
-            Current::Outdated | Current::Lost => {
+            Current::Outdated => {
                 self.surface.configure(&self.stage.device, &self.config);
-                return;
+                return Ok(());
             }
-            Current::Timeout | Current::Occluded | Current::Validation => return,
+            Current::Lost => return self.make_surface_anew(),
+            Current::Timeout | Current::Occluded | Current::Validation => return Ok(()),
         };
         let view = frame.texture.create_view(&Default::default());
         let size_px = [self.config.width, self.config.height];
         self.stage.paint(&self.ctx, output, &view, size_px);
         self.stage.queue.present(frame);
+        Ok(())
+    }
+
+    /// A surface that was lost comes back as another one.
+    fn make_surface_anew(&mut self) -> Result<(), WindowError> {
+        let surface = self.instance.create_surface(self.window.clone());
+        self.surface = surface.map_err(|error| {
+            WindowError::Machine(format!("the window's surface was lost: {error}"))
+        })?;
+        self.surface.configure(&self.stage.device, &self.config);
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_written_while_it_is_read_is_read_again() {
+        let folder = std::env::temp_dir().join(format!("motes-watch-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a folder");
+        let file = folder.join("scene.toml");
+        let before = SystemTime::now() - Duration::from_secs(9);
+        std::fs::write(&file, "1").expect("it is written");
+        let is_new = |since: SystemTime| {
+            let mut watch = Watch::new(vec![file.clone()], since);
+            let long_ago = Instant::now().checked_sub(WATCH_EVERY);
+            watch.looked = long_ago.expect("the machine has run for a while");
+            watch.has_changed()
+        };
+        assert!(is_new(before), "it was written after it was read");
+        let written = std::fs::File::options().write(true).open(&file);
+        written
+            .and_then(|file| file.set_modified(before - Duration::from_secs(9)))
+            .expect("it is older now");
+        assert!(!is_new(before), "it was written before");
+        std::fs::remove_dir_all(&folder).expect("it goes");
     }
 }

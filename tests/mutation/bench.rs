@@ -199,6 +199,7 @@ fn compile(
             off: &off,
             wide: true,
             mutate: Some(&mutate),
+            ..CompileOptions::default()
         },
     )
 }

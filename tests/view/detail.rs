@@ -35,7 +35,8 @@ fn less_is_drawn_of_the_same_run() {
         .expect("it turns");
     steps(&mut all, 24);
     steps(&mut less, 6);
-    less.set_detail(Detail::LEVELS[3]).expect("it goes on");
+    let least = Detail::LEVELS[2].with_lines(true);
+    less.set_detail(least).expect("it goes on");
     assert_eq!(less.frame(), 6);
     let scene = less.scene();
     assert_eq!((scene.image.width, scene.image.height), (17, 10));
@@ -49,7 +50,7 @@ fn less_is_drawn_of_the_same_run() {
     assert_eq!(less.scene().image.width, 33);
     steps(&mut less, 12);
     assert_eq!(digest(&mut less), digest(&mut all));
-    less.set_detail(Detail::LEVELS[0]).expect("it goes on");
+    less.set_detail(Detail::FULL).expect("it goes on");
     let [of_less, of_all] = [&mut less, &mut all].map(|session| {
         let simulation = session.simulation();
         simulation.draw().expect("it is drawn");
@@ -64,9 +65,9 @@ fn less_is_drawn_of_the_same_run() {
 fn lines_stand_where_flames_do() {
     let (_folder, mut session) = fire();
     steps(&mut session, 20);
-    let mut lit = |level: usize, least: u8| {
+    let mut lit = |lines: bool, least: u8| {
         session
-            .set_detail(Detail::LEVELS[level])
+            .set_detail(Detail::LEVELS[1].with_lines(lines))
             .expect("it goes on");
         session.simulation().draw().expect("it is drawn");
         let image = session.simulation().image().expect("it is read");
@@ -74,7 +75,7 @@ fn lines_stand_where_flames_do() {
         let lit: Vec<bool> = pixels.map(|it| it[0] > least).collect();
         lit
     };
-    let (flames, lines) = (lit(1, 8), lit(2, 40));
+    let (flames, lines) = (lit(false, 8), lit(true, 40));
     let count = |lit: &[bool]| lit.iter().filter(|it| **it).count();
     let both = flames
         .iter()
@@ -89,15 +90,43 @@ fn lines_stand_where_flames_do() {
 #[test]
 fn detail_follows_the_time_that_frames_take() {
     let (_folder, mut session) = fire();
-    session.least_rate = Some(1e6);
-    steps(&mut session, 70);
-    assert_eq!(session.detail(), Detail::LEVELS[3], "none is that fast");
-    session.least_rate = Some(1e-3);
-    steps(&mut session, 70);
-    assert_eq!(session.detail(), Detail::LEVELS[0], "there is time enough");
-    session.least_rate = None;
+    session.pace.least_rate = Some(1e6);
+    let lines = Detail::FULL.with_lines(true);
+    session.set_detail(lines).expect("it goes on");
+    steps(&mut session, 90);
+    let least = Detail::LEVELS[4].with_lines(true);
+    assert_eq!(session.detail(), least, "none is that fast");
+    session.pace.least_rate = Some(1e-3);
+    steps(&mut session, 90);
+    assert_eq!(session.detail(), lines, "there is time enough");
+    session.set_detail(Detail::FULL).expect("it goes on");
     steps(&mut session, 30);
-    assert_eq!(session.detail(), Detail::LEVELS[0]);
+    assert_eq!(session.detail(), Detail::FULL, "there is time enough");
+    session.pace.least_rate = None;
+    steps(&mut session, 30);
+    assert_eq!(session.detail(), Detail::FULL);
+}
+
+#[test]
+fn every_frame_is_stepped_where_few_are_drawn() {
+    let (_folder, mut all) = fire();
+    let (_other, mut few) = fire();
+    few.set_detail(Detail::LEVELS[4]).expect("it goes on");
+    let frame = Duration::from_secs_f64(1.0 / f64::from(few.scene().frame_rate));
+    let mut drawn = Vec::new();
+    for _ in 0..24 {
+        let before = few.frame();
+        if few.advance(frame).expect("it steps") {
+            drawn.push(few.frame() - before);
+        }
+    }
+    // A frame may be owed still, for lengths of frames are rounded.
+    assert!((5..=6).contains(&drawn.len()), "{drawn:?}");
+    assert!(drawn.iter().all(|frames| *frames == 4), "{drawn:?}");
+    let frame = few.frame();
+    steps(&mut all, frame);
+    assert_eq!(digest(&mut few), digest(&mut all));
+    assert_eq!(few.history.len(), drawn.len(), "one time a picture");
 }
 
 #[test]
@@ -113,7 +142,7 @@ fn where_births_go_by_area_all_is_drawn() {
     assert!(!session.can_be_coarse());
     let told = session.set_detail(Detail::LEVELS[1]);
     assert!(told.is_err_and(|told| told.contains("by the area")));
-    session.least_rate = Some(1e6);
+    session.pace.least_rate = Some(1e6);
     steps(&mut session, 50);
-    assert_eq!(session.detail(), Detail::LEVELS[0]);
+    assert_eq!(session.detail(), Detail::FULL);
 }

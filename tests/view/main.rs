@@ -5,6 +5,7 @@
 mod common;
 
 mod detail;
+mod files;
 mod table;
 mod touch;
 
@@ -307,7 +308,8 @@ ignition = [{ position = [0, 0, 1] }]
     std::fs::write(folder.path().join("play.txt"), "2 shot seen.png\n3 end\n")
         .expect("it is written");
     // A click at the middle of the picture lights the cube there.
-    let click = "2 move 665 250\n3 press\n4 release\n6 detail 2\n8 save lit.toml\n9 shot lit.png\n";
+    let click =
+        "2 move 665 250\n3 press\n4 release\n6 detail 2 lines\n8 save lit.toml\n9 shot lit.png\n";
     std::fs::write(folder.path().join("click.txt"), click).expect("it is written");
     let arguments = [
         "view",

@@ -36,7 +36,7 @@ pub(super) struct Input<'a> {
     /// The file's text.
     pub(super) text: &'a str,
     /// What it may import from; each stands after those that it imports itself.
-    pub(super) libraries: &'a [Source],
+    pub(super) libraries: &'a [Source<'a>],
     /// What `#{WORKGROUP_SIZE}` stands for.
     pub(super) workgroup_size: u32,
     /// The switches of [`SWITCHES`] that are off.

@@ -47,6 +47,8 @@ pub struct CompileOptions<'a> {
     pub off: &'a [&'static str],
     /// Whether the device has 64-bit integers and adds them atomically: what `WIDE` stands for.
     pub wide: bool,
+    /// Texts that stand in for the program's own.
+    pub texts: Option<&'a sources::KernelTexts>,
     /// Changes the module after it has passed the lint, so that a test can see a twin fail.
     pub mutate: Option<&'a dyn Fn(&mut naga::Module)>,
 }
@@ -59,6 +61,7 @@ impl Default for CompileOptions<'_> {
             checked: false,
             off: &[],
             wide: false,
+            texts: None,
             mutate: None,
         }
     }
@@ -71,6 +74,7 @@ impl fmt::Debug for CompileOptions<'_> {
             .field("checked", &self.checked)
             .field("off", &self.off)
             .field("wide", &self.wide)
+            .field("texts", &self.texts.is_some())
             .field("mutate", &self.mutate.is_some())
             .finish()
     }
@@ -101,7 +105,16 @@ pub struct CompiledKernel {
 /// A [`ShaderError`] with every finding of the first step that refused the kernel.
 pub fn compile(kernel: &str, options: &CompileOptions) -> Result<CompiledKernel, ShaderError> {
     let source = listed(kernel)?;
-    compile_input(&input(source, options), options)
+    let Some(texts) = options.texts else {
+        return compile_input(&input(source, options), options);
+    };
+    let libraries = texts.libraries();
+    let source = texts.of(source);
+    let input = Input {
+        libraries: libraries.as_deref().unwrap_or(sources::LIBRARIES),
+        ..input(&source, options)
+    };
+    compile_input(&input, options)
 }
 
 /// Compiles a kernel from its text; errors name its file `wgsl/NAME.wgsl`.
@@ -182,7 +195,7 @@ pub fn origin(name: &str) -> (Option<String>, &str) {
     mangle::split(name)
 }
 
-fn listed(name: &str) -> Result<&'static sources::Source, ShaderError> {
+fn listed(name: &str) -> Result<&'static sources::Source<'static>, ShaderError> {
     sources::find(name).ok_or_else(|| {
         let at = Location {
             file: format!("wgsl/{name}.wgsl"),
@@ -193,7 +206,7 @@ fn listed(name: &str) -> Result<&'static sources::Source, ShaderError> {
     })
 }
 
-fn input<'a>(source: &'static sources::Source, options: &CompileOptions<'a>) -> Input<'a> {
+fn input<'a>(source: &sources::Source<'a>, options: &CompileOptions<'a>) -> Input<'a> {
     Input {
         name: source.name,
         file: source.file,

@@ -4,15 +4,18 @@
 //! the ending, and its basename is that of its twin on the processor. A file in `wgsl/` that is
 //! not listed here fails a test.
 
-/// One WGSL file, embedded in the program.
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+/// One WGSL file, embedded in the program or standing in for one that is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Source {
+pub struct Source<'a> {
     /// Path under `wgsl/` without its ending, e.g. `particles/advance` or `lib/exact`.
     pub name: &'static str,
     /// Path from the repository's root, as errors show it, e.g. `wgsl/particles/advance.wgsl`.
     pub file: &'static str,
     /// The file's text.
-    pub text: &'static str,
+    pub text: &'a str,
 }
 
 macro_rules! sources {
@@ -182,8 +185,69 @@ pub static YARDSTICKS: &[Source] = sources![
 /// Shaders of the device's own rasteriser, plain WGSL: its light is not exact.
 pub static RASTERS: &[Source] = sources!["bench/raster"];
 
+/// WGSL files that stand in for those of the program while somebody works on them.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct KernelTexts {
+    /// Names, and texts that differ from the program's.
+    texts: Vec<(&'static str, String)>,
+}
+
+impl KernelTexts {
+    /// Reads those files below `folder` that are called as those below `wgsl/`; the program has its own
+    /// where there is none.
+    ///
+    /// # Errors
+    /// A file is there and cannot be read, or none is there; which.
+    pub fn read(folder: &Path) -> Result<Self, String> {
+        let mut texts = Vec::new();
+        let mut count = 0;
+        for (source, path) in Self::sources().zip(Self::files(folder)) {
+            match std::fs::read_to_string(&path) {
+                Ok(text) => {
+                    count += 1;
+                    if text != source.text {
+                        texts.push((source.name, text));
+                    }
+                }
+                Err(error) if error.kind() == ErrorKind::NotFound => {}
+                Err(error) => return Err(format!("{}: {error}", path.display())),
+            }
+        }
+        if count == 0 {
+            let shown = folder.display();
+            return Err(format!(
+                "{shown}: there is no kernel in it, as particles/advance.wgsl is one"
+            ));
+        }
+        Ok(Self { texts })
+    }
+
+    /// Where they would be below `folder`.
+    pub fn files(folder: &Path) -> impl Iterator<Item = PathBuf> {
+        Self::sources().map(move |source| folder.join(source.name).with_extension("wgsl"))
+    }
+
+    fn sources() -> impl Iterator<Item = &'static Source<'static>> {
+        LIBRARIES.iter().chain(KERNELS)
+    }
+
+    /// The file with the text that stands in for its own.
+    pub(super) fn of<'a>(&'a self, source: &Source<'a>) -> Source<'a> {
+        let own = self.texts.iter().find(|(name, _)| *name == source.name);
+        own.map_or(*source, |(_, text)| Source { text, ..*source })
+    }
+
+    /// The libraries, if any is another than the program's.
+    pub(super) fn libraries(&self) -> Option<Vec<Source<'_>>> {
+        let mut names = self.texts.iter().map(|(name, _)| name);
+        names
+            .any(|name| name.starts_with("lib/"))
+            .then(|| LIBRARIES.iter().map(|it| self.of(it)).collect())
+    }
+}
+
 /// The listed file of that name, kernel or library.
-pub fn find(name: &str) -> Option<&'static Source> {
+pub fn find(name: &str) -> Option<&'static Source<'static>> {
     KERNELS
         .iter()
         .chain(YARDSTICKS)

@@ -79,6 +79,18 @@ impl Draft {
         Ok(changed)
     }
 
+    /// Files that its text needs beside it, by their places relative to it, with their bytes.
+    #[cfg(feature = "view")]
+    pub(crate) fn companions(&self) -> std::io::Result<Vec<(PathBuf, Vec<u8>)>> {
+        self.files.companions()
+    }
+
+    /// What can be turned, as it is now; of a scene that is right.
+    #[cfg(feature = "view")]
+    pub(crate) fn knobs(&self) -> Result<Vec<super::Knob>, SceneError> {
+        super::knobs::of_tree(&self.root)
+    }
+
     /// Every file that was opened for it up to now, with what it is to the scene: its own, meshes,
     /// and their buffers.
     pub(crate) fn files(&self) -> Vec<(&'static str, PathBuf)> {
