@@ -544,6 +544,8 @@ fn constants_agree_bit_for_bit() {
         ("FIELD_LEN", 1 << 21),
         ("BLUE_LEN", 1 << (64 - 42)),
         ("UNFIT", 1 << 3),
+        // So many lights do devices alone load ahead.
+        ("HELD", 32),
     ])
     .collect();
     let mut given = vec!["WORKGROUP_SIZE"];
