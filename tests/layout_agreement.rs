@@ -341,6 +341,7 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             fire_from_face_y,
             fire_from_face_z,
             features,
+            material,
         }),
         rust_layout!(SpreadEdge {
             line,
