@@ -341,6 +341,7 @@ fn rust_layouts() -> Vec<(&'static str, usize, Vec<RustField>)> {
             fire_from_face_y,
             fire_from_face_z,
             features,
+            material,
         }),
         rust_layout!(SpreadEdge {
             line,
@@ -544,6 +545,8 @@ fn constants_agree_bit_for_bit() {
         ("FIELD_LEN", 1 << 21),
         ("BLUE_LEN", 1 << (64 - 42)),
         ("UNFIT", 1 << 3),
+        // So many lights do devices alone load ahead.
+        ("HELD", 32),
     ])
     .collect();
     let mut given = vec!["WORKGROUP_SIZE"];

@@ -110,6 +110,9 @@ pub struct SpreadFace {
     pub fire_from_face_z: [f32; 4],
     /// First edge in `spread_features` that is near, and how many; the mesh's face; unused.
     pub features: [u32; 4],
+    /// What q_o and q_c are multiplied by, as bits; frames that flames burn which are dropped here, 0 if as
+    /// long as the fire's; unused.
+    pub material: [u32; 4],
 }
 
 /// A half-edge of a stored face; half-edge 3 f + i begins at corner i of face f.

@@ -11,6 +11,7 @@ use crate::layout::{
     SPREAD_FLAT, SPREAD_LITERAL, SPREAD_MIDPOINT, SPREAD_NORMAL, SPREAD_SPILL, SPREAD_STAIN,
     SpreadEdge, SpreadFace, SpreadFeature, SpreadFrame,
 };
+use crate::mesh::Part;
 use crate::mesh::surface::{FeatureNear, HalfEdge, NO_EDGE, SurfaceFace};
 use crate::scene::{
     Curvature, FireSpread, FrontHeading, Grain, GrainPattern, Insertion, Scene, SpreadLaw,
@@ -43,6 +44,8 @@ pub struct SpreadTables {
     light_places: Vec<Vec<[f32; 3]>>,
     /// Digest of the surface, how far edges are looked for, and the first face, of each spread.
     stored: Vec<(u64, f32, u32)>,
+    /// What the faces of each part have in [`SpreadFace::material`], of each spread.
+    factors: Vec<Vec<[u32; 4]>>,
 }
 
 impl SpreadTables {
@@ -92,8 +95,10 @@ impl SpreadTables {
                 .all(|(slot, (digest, reach, _))| {
                     let has = |scene: &&Scene| {
                         let mut own = spreads_of(scene);
-                        own.nth(slot)
-                            .is_some_and(|(_, spread)| spread.surface.digest() == *digest)
+                        own.nth(slot).is_some_and(|(_, spread)| {
+                            spread.surface.digest() == *digest
+                                && factors_of(spread) == self.factors[slot]
+                        })
                     };
                     *reach >= reach_of(scenes, slot) && scenes.iter().all(has)
                 })
@@ -114,6 +119,7 @@ impl SpreadTables {
         let first = self.faces.len() as u32;
         let stored = (surface.digest(), reach, first);
         self.stored.push(stored);
+        let factors = factors_of(spread);
         let places = surface.spaced_places(FLAME_LIGHTS as usize);
         let places = places.into_iter().map(|place| place.map(|x| x as f32));
         self.light_places.push(places.collect());
@@ -136,7 +142,9 @@ impl SpreadTables {
             for (face, near) in faces.iter().zip(near) {
                 let [begin, count] = [self.features.len(), near.len()].map(|at| at as u32);
                 let features = [begin, count, face.source, 0];
-                self.faces.push(face_of(face, features));
+                let part = spread.mesh.face_parts()[face.source as usize];
+                self.faces
+                    .push(face_of(face, features, factors[part as usize]));
                 self.features.extend(near.iter().map(feature_of));
             }
             if self.features.len() > MOST_FEATURES {
@@ -154,6 +162,7 @@ impl SpreadTables {
             let corner = surface.faces()[at / 3].corners[at % 3];
             self.edges.push(edge_of(half, corner, 3 * first));
         }
+        self.factors.push(factors);
         Ok(())
     }
 }
@@ -183,7 +192,23 @@ fn feature_of(near: &FeatureNear) -> SpreadFeature {
     }
 }
 
-fn face_of(face: &SurfaceFace, features: [u32; 4]) -> SpreadFace {
+/// [`SpreadFace::material`] of each part of a spread's mesh.
+fn factors_of(spread: &FireSpread) -> Vec<[u32; 4]> {
+    let word = |factor: f32| snap(factor).to_bits();
+    let of = |part: &Part| {
+        let own = spread.materials.iter().rev();
+        let own = own.filter(|one| one.part == part.group || one.part == part.material);
+        let Some(material) = own.into_iter().next() else {
+            return [word(1.0), word(1.0), 0, 0];
+        };
+        let [opposed, concurrent] = spread.factors_of(material);
+        let lifetime = material.lifetime.unwrap_or(0);
+        [word(opposed), word(concurrent), lifetime, 0]
+    };
+    spread.mesh.parts().iter().map(of).collect()
+}
+
+fn face_of(face: &SurfaceFace, features: [u32; 4], material: [u32; 4]) -> SpreadFace {
     let row =
         |i: usize| [face.x[i], face.y[i], face.normal[i], face.origin[i]].map(|x| snap(x as f32));
     SpreadFace {
@@ -191,6 +216,7 @@ fn face_of(face: &SurfaceFace, features: [u32; 4]) -> SpreadFace {
         fire_from_face_y: row(1),
         fire_from_face_z: row(2),
         features,
+        material,
     }
 }
 
@@ -225,7 +251,11 @@ pub(super) fn spread_frames(now: &Scene) -> Vec<SpreadFrame> {
             let divisor = std::f32::consts::PI * spread.heat();
             let factor = spread.time_scale / divisor;
             // Two pieces meet whose points are no farther apart than they are long and steps are.
-            let longest_step = MOST_AIR * (opposed + concurrent) * factor;
+            let most = spread.materials.iter().fold([1.0f32; 2], |most, material| {
+                let own = spread.factors_of(material);
+                [most[0].max(own[0]), most[1].max(own[1])]
+            });
+            let longest_step = MOST_AIR * (opposed * most[0] + concurrent * most[1]) * factor;
             // No farther than a few points, since drivers end long loops; steps that long leave gaps.
             let reach = 4.0 * spread.separation + 2.0 * longest_step;
             let reach = reach.min(8.0 * spread.separation).clamp(1e-6, 1e6);

@@ -43,6 +43,9 @@ impl Plan {
             views: self.uses.views,
             obstacles: self.uses.obstacles,
             torus: self.uses.torus,
+            pillars: self.uses.pillars,
+            many_surfaces: self.uses.many_surfaces,
+            lamps: self.uses.lamps,
             ..Uses::all()
         };
         self.blocks = self.spread_count > 0;

@@ -89,6 +89,18 @@ uses! {
     ground "GROUND";
     /// Meshes or pillars that are seen, which hide.
     surfaces "SURFACES";
+    /// Pillars.
+    pillars "PILLARS";
+    /// More than one mesh that is seen.
+    many_surfaces "MANY_SURFACES";
+    /// Lamps near the ground and surfaces.
+    lamps "LAMPS";
+    /// Point lights of flames on the ground and on surfaces.
+    lights "LIGHTS";
+    /// More than 16 of them.
+    more_lights "MORE_LIGHTS";
+    /// More than 32.
+    most_lights "MOST_LIGHTS";
     /// Surfaces with grain, seen or burning.
     grains "GRAINS";
     /// Flames with details.
@@ -245,7 +257,16 @@ impl Uses {
                 .max()
                 .unwrap_or(0)
         };
+        let on_grounds = inputs.grounds.iter().map(|ground| ground.kinds[3]);
+        let on_surfaces = inputs.surface_lights.iter().map(|light| light.kinds[1]);
+        let lights = on_grounds.chain(on_surfaces).max().unwrap_or(0);
         let own = Self {
+            pillars: !inputs.pillars.is_empty(),
+            many_surfaces: inputs.surfaces.len() > 1,
+            lamps: !inputs.lamps.is_empty(),
+            lights: lights > 0,
+            more_lights: lights > 16,
+            most_lights: lights > 32,
             // Those that are borne are anywhere.
             placed: !inputs.poses.is_empty(),
             planet: !inputs.planets.is_empty(),

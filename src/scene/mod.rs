@@ -63,7 +63,7 @@ pub use picture::{
 pub(crate) use set::Set;
 pub use spread::{
     Char, Curvature, FireSpread, FluxFormula, FrontHeading, FrontLine, Grain, GrainPattern,
-    Ignition, Insertion, Smoke, SpreadLaw,
+    Ignition, Insertion, Material, Smoke, SpreadLaw,
 };
 pub use surface::LitSurface;
 pub use system::{

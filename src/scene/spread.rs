@@ -34,6 +34,8 @@ pub struct FireSpread {
     pub curvature_distance: f32,
     /// What moves it.
     pub law: SpreadLaw,
+    /// How parts of the mesh burn that burn otherwise than the rest, at most 64.
+    pub materials: Vec<Material>,
     /// What makes it slower here and there, if anything does.
     pub grain: Option<Grain>,
     /// What edges do.
@@ -105,6 +107,21 @@ pub struct FrontLine {
     pub color: [f32; 3],
     /// 0 ..= 1. Default 1.
     pub opacity: f32,
+}
+
+/// How a part of a mesh burns (Perry 1994, 3.3.1 and 4.7).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    /// A group or a material of the mesh.
+    pub part: String,
+    /// Factor of its speed, 0 ..= 1,000. Default 1.
+    pub speed: f32,
+    /// L, metres, 0.000001 ..= 1,000, instead of the formula's.
+    pub thickness: Option<f32>,
+    /// lambda, W/(m K), 0 ..= 10,000, instead of the formula's.
+    pub conductivity: Option<f32>,
+    /// Frames that flames burn which are dropped there, 1 ..= 1,000,000, instead of the fire's.
+    pub lifetime: Option<u32>,
 }
 
 /// A place where a fire begins.
@@ -232,6 +249,23 @@ impl FireSpread {
             Some(formula) => formula.density * formula.enthalpy,
             None => self.ignition_heat,
         }
+    }
+
+    /// What q_o and q_c are multiplied by where that is.
+    pub fn factors_of(&self, material: &Material) -> [f32; 2] {
+        let Some(formula) = self.formula else {
+            return [material.speed; 2];
+        };
+        let own = FluxFormula {
+            thickness: material.thickness.unwrap_or(formula.thickness),
+            conductivity: material.conductivity.unwrap_or(formula.conductivity),
+            ..formula
+        };
+        let share = |own: f32, general: f32| if general > 0.0 { own / general } else { 1.0 };
+        [
+            material.speed * share(own.opposed_flux(), formula.opposed_flux()),
+            material.speed * share(own.concurrent_flux(), formula.concurrent_flux()),
+        ]
     }
 
     /// q_o and q_c, given or computed.

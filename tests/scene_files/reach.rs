@@ -9,9 +9,9 @@ use motes::scene::{
     Extinction, Fire, FireLights, FireSpread, FlameForm, Flock, FluxFormula, FrontHeading,
     FrontLine, GenerationShape, Goal, Grain, GrainPattern, Ground, Ignition, Image, Inherit,
     Insertion, Integration, Intensity, Lamp, Layer, Light, LightFrom, ListedFlame, LitSurface,
-    Obstacle, ObstacleShape, ParticleShape, ParticleSpace, Pillar, Planet, Profile, ProfileStop,
-    Projection, RampStop, Relation, RelationKind, Roots, Rule, Scene, Shading, ShutterWeighting,
-    Side, Smoke, Spread, SpreadLaw, StreakLight, System, Turbulence, Wind,
+    Material, Obstacle, ObstacleShape, ParticleShape, ParticleSpace, Pillar, Planet, Profile,
+    ProfileStop, Projection, RampStop, Relation, RelationKind, Roots, Rule, Scene, Shading,
+    ShutterWeighting, Side, Smoke, Spread, SpreadLaw, StreakLight, System, Turbulence, Wind,
 };
 
 use crate::text::{FULL, MINIMAL, accepted};
@@ -491,6 +491,13 @@ fn fire_spread() -> FireSpread {
             position: [0.0, 0.0, 2.0],
             first_frame: 4,
             points: 24,
+        }],
+        materials: vec![Material {
+            part: "+z".into(),
+            speed: 1.5,
+            thickness: Some(0.02),
+            conductivity: Some(0.25),
+            lifetime: Some(77),
         }],
         catch_points: Some(12),
         law: SpreadLaw::Stain,

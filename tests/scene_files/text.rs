@@ -371,6 +371,12 @@ opacity = 0.625
 position = [0, 0, 2]
 first_frame = 4
 points = 24
+[[fire.spread.material]]
+part = "+z"
+speed = 1.5
+thickness = 0.02
+conductivity = 0.25
+lifetime = 77
 [fire.spread.smoke]
 speed = 0.03
 frames = 30
@@ -560,6 +566,7 @@ pub(crate) fn fields_of(section: &str) -> &'static [Field] {
                 "profile" => schema::PROFILE,
                 "spread" => schema::SPREAD,
                 "ignition" => schema::IGNITION,
+                "material" => schema::MATERIAL,
                 "formula" => schema::FORMULA,
                 "grain" => schema::GRAIN,
                 "smoke" => schema::SMOKE,

@@ -79,6 +79,65 @@ fn p66_on_a_cylinder_a_fire_meets_itself_and_stops_there() {
     }
 }
 
+#[test]
+fn p67_a_map_of_when_what_was_reached_has_the_area_of_the_front() {
+    // Places of the tube, each with the first frame in which a control point or the line between two was
+    // there: a second account of what has burnt, which knows of no crossings.
+    const ACROSS: usize = 160;
+    let texel = TAU / ACROSS as f64;
+    let (text, radius) = tube(96);
+    let spread = even(0.02, "separation = 0.03\nmax_points = 60000");
+    let ignition = format!("position = [{radius}, 0.01, 0]\npoints = 64");
+    let mut run = run(&scene_on(&text, "", &spread, &[&ignition]));
+    let down = (20.0 / texel) as usize;
+    let mut reached = vec![u32::MAX; ACROSS * down];
+    let exact = [(150, PI * 9.0), (200, 44.4638), (300, 71.7953)];
+    let mut wanted = exact.iter();
+    for frame in 0..=300 {
+        run.seek(frame).expect("it runs");
+        let points = run.control_points().expect("they are read");
+        for (at, a) in points.iter().enumerate() {
+            let b = &points[(at + 1) % points.len()];
+            let ([ax, ay, az], [bx, by, bz]) = (place(a.position), place(b.position));
+            let from = ay.atan2(ax);
+            let around = by.atan2(bx) - from;
+            let around = around - TAU * (around / TAU).round();
+            let steps = (around.hypot(bz - az) / (0.4 * texel)).ceil().max(1.0);
+            for part in 0..steps as usize {
+                let share = part as f64 / steps;
+                let column = (from + share * around).rem_euclid(TAU) / texel;
+                let row = (az + share * (bz - az) + 10.0) / texel;
+                let place = row as usize * ACROSS + column as usize % ACROSS;
+                reached[place] = reached[place].min(frame);
+            }
+        }
+        if exact.iter().any(|(at, _)| *at == frame) {
+            let (_, area) = wanted.next().expect("as many as asked for");
+            let burnt = reached.iter().filter(|first| **first <= frame).count() as f64;
+            // A band of one place along the front, which is no longer than a circle of that radius.
+            let r = 0.02 * f64::from(frame);
+            let band = TAU * r * texel;
+            assert_close(burnt * texel * texel, *area, band);
+        }
+    }
+    // What is farther was reached later, and nothing before the front could be there.
+    for (at, first) in reached
+        .iter()
+        .enumerate()
+        .filter(|(_, first)| **first < u32::MAX)
+    {
+        let around = (at % ACROSS) as f64 + 0.5;
+        let around = around * texel - 0.01;
+        let around = around.min(TAU - around);
+        let up = (at / ACROSS) as f64 + 0.5;
+        let far = around.hypot(up * texel - 10.0);
+        assert!(
+            (0.02 * f64::from(*first) - far).abs() < 2.0 * texel + 0.02,
+            "{far} at frame {first}"
+        );
+    }
+}
+
 /// The area that fronts sweep over, frame by frame, summed up to each of these frames; no point is
 /// counted that has stopped.
 fn swept(scene: &Scene, frames: &[u32]) -> Vec<f64> {

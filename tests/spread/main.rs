@@ -13,6 +13,7 @@ mod front;
 mod keys;
 mod laws;
 mod marks;
+mod materials;
 mod shipped;
 mod speed;
 mod support;

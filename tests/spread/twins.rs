@@ -13,7 +13,7 @@ fn all_kinds(max_points: u32) -> Scene {
         (
             "lifetime = 9\ngrowth_frames = 4\nposition = { keys = [[0, [0, 0.5, 0]], [30, [0.6, 0.7, 0.2]]] }\n\
              rotation_degrees = { keys = [[0, [10, 0]], [30, [25, 80]]] }",
-            "mesh = \"cube\"\nscale = 0.5\ntime_scale = 0.3\nseparation = 0.05\ndrop_distance = 0.06\nmax_flames = 40\nchar = { max_marks = 50 }",
+            "mesh = \"cube\"\nmaterial = [{ part = \"+x\", speed = 0.4, lifetime = 5 }, { part = \"+y\", speed = 1.7 }]\nscale = 0.5\ntime_scale = 0.3\nseparation = 0.05\ndrop_distance = 0.06\nmax_flames = 40\nchar = { max_marks = 50 }",
             "position = [0, 0, 0.5]\npoints = 8\n[[fire.spread.ignition]]\nposition = [0.5, 0.4, 0.1]\nfirst_frame = 7",
         ),
         (

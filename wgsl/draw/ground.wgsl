@@ -18,8 +18,19 @@
 #import motes::pillar::passed
 
 const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
-// Whether particles throw light.
+// Whether there is a pillar.
+const PILLARS: bool = #{PILLARS};
+// Whether particles, lamps and flames throw light.
 const CLUSTERS: bool = #{CLUSTERS};
+const LAMPS: bool = #{LAMPS};
+const LIGHTS: bool = #{LIGHTS};
+// Whether there may be more lights of flames than are held.
+const MOST_LIGHTS: bool = #{MOST_LIGHTS};
+#if MORE_LIGHTS == true
+const HELD: u32 = 32u;
+#else
+const HELD: u32 = 16u;
+#endif
 // Ways to the ground, in lengths of the way, at most.
 const FARTHEST_GROUND: f32 = 1e6f;
 
@@ -31,13 +42,28 @@ const FARTHEST_GROUND: f32 = 1e6f;
 @group(0) @binding(5) var<storage, read_write> ground_pixels: array<vec4<u32>>;
 @group(0) @binding(6) var<storage, read> cluster_lights: array<FlameLight>;
 
+// Lights of flames, loaded before the first branch, where software drivers load what is uniform once.
+var<private> held_places: array<vec4<f32>, HELD>;
+var<private> held_colors: array<vec3<f32>, HELD>;
+
+fn hold_lights(count: u32) {
+    for (var at = 0u; at < HELD; at += 1u) {
+        let is_one = at < count;
+        let flame = flame_lights[at];
+        held_places[at] = select(vec4<f32>(1.0f), bitcast<vec4<f32>>(flame.place), is_one);
+        held_colors[at] = select(vec3<f32>(0.0f), bitcast<vec3<f32>>(flame.color.xyz), is_one);
+    }
+}
+
 // The light of a point light of that colour a unit away and that squared extent.
 fn from_point(ground: Ground, spot: vec3<f32>, light: vec3<f32>, extent: f32, color: vec3<f32>) -> vec3<f32> {
     let away = light - spot;
     let near = inverse_square_root(dot3(away, away) + extent);
     var seen = at_least_zero(dot3(ground.plane.xyz, away) * near);
-    for (var at = 0u; at < ground.counts.x; at += 1u) {
-        seen *= passed(pillars[at], spot, light);
+    if PILLARS {
+        for (var at = 0u; at < ground.counts.x; at += 1u) {
+            seen *= passed(pillars[at], spot, light);
+        }
     }
     return color * (seen * near * near);
 }
@@ -46,8 +72,10 @@ fn from_point(ground: Ground, spot: vec3<f32>, light: vec3<f32>, extent: f32, co
 fn from_cluster(ground: Ground, spot: vec3<f32>, light: FlameLight) -> vec3<f32> {
     let way = way_to(light, spot, ground.plane.xyz);
     var falls = fallen(way, ground.plane.xyz);
-    for (var at = 0u; at < ground.counts.x; at += 1u) {
-        falls *= passed(pillars[at], spot, spot + way);
+    if PILLARS {
+        for (var at = 0u; at < ground.counts.x; at += 1u) {
+            falls *= passed(pillars[at], spot, spot + way);
+        }
     }
     return bitcast<vec3<f32>>(light.color.xyz) * falls;
 }
@@ -55,16 +83,26 @@ fn from_cluster(ground: Ground, spot: vec3<f32>, light: FlameLight) -> vec3<f32>
 fn light_on(ground: Ground, spot: vec3<f32>) -> vec3<f32> {
     let straight = at_least_zero(dot3(ground.plane.xyz, ground.light_from.xyz));
     var light = ground.ambient.xyz + ground.light_color.xyz * straight;
-    for (var at = 0u; at < ground.kinds.z; at += 1u) {
-        let lamp = lamps[at];
-        let place = lamp.place.xyz + ground.lamps_from.xyz;
-        light += from_point(ground, spot, place, 0.0f, lamp.color.xyz * lamp.place.w);
+    if LAMPS {
+        for (var at = 0u; at < ground.kinds.z; at += 1u) {
+            let lamp = lamps[at];
+            let place = lamp.place.xyz + ground.lamps_from.xyz;
+            light += from_point(ground, spot, place, 0.0f, lamp.color.xyz * lamp.place.w);
+        }
     }
-    for (var at = 0u; at < ground.kinds.w; at += 1u) {
-        let flame = flame_lights[at];
-        let place = bitcast<vec4<f32>>(flame.place);
-        let color = bitcast<vec3<f32>>(flame.color.xyz);
-        light += from_point(ground, spot, place.xyz, place.w, color);
+    if LIGHTS {
+        for (var at = 0u; at < HELD; at += 1u) {
+            let place = held_places[at];
+            light += from_point(ground, spot, place.xyz, place.w, held_colors[at]);
+        }
+    }
+    if MOST_LIGHTS {
+        for (var at = HELD; at < ground.kinds.w; at += 1u) {
+            let flame = flame_lights[at];
+            let place = bitcast<vec4<f32>>(flame.place);
+            let color = bitcast<vec3<f32>>(flame.color.xyz);
+            light += from_point(ground, spot, place.xyz, place.w, color);
+        }
     }
     if CLUSTERS {
         for (var at = 1u; at <= cluster_lights[0].place.x; at += 1u) {
@@ -80,11 +118,19 @@ fn shade_at(ground: Ground, place: vec3<f32>, seen: f32) -> f32 {
     var sum = 0.0f;
     var scale = ground.light_from.w;
     var weight = ground.color.w;
-    for (var octave = 0u; octave < ground.kinds.x; octave += 1u) {
-        let clear = clamp_unit(2.0f - 2.0f * seen * scale);
-        sum += noise(place * scale, ground.kinds.y + octave).w * (weight * clear);
-        scale *= 2.0f;
-        weight *= 0.6f;
+    if ground.kinds.x > 0u {
+        // A loop that looks at its end last: others are gone through once more by software drivers.
+        var octave = 0u;
+        loop {
+            let clear = clamp_unit(2.0f - 2.0f * seen * scale);
+            sum += noise(place * scale, ground.kinds.y + octave).w * (weight * clear);
+            scale *= 2.0f;
+            weight *= 0.6f;
+            octave += 1u;
+            continuing {
+                break if octave >= ground.kinds.x;
+            }
+        }
     }
     return at_least_zero(1.0f + sum);
 }
@@ -110,6 +156,9 @@ fn plane_at(ground: Ground, way: vec3<f32>, pixel: f32) -> vec4<f32> {
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn ground(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let ground = grounds[0];
+    if LIGHTS {
+        hold_lights(ground.kinds.w);
+    }
     let at = linear_index(global_id, WORKGROUP_SIZE);
     if at >= frame.width * frame.height {
         return;

@@ -25,8 +25,20 @@ const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 // Whether there is a planet, a ground or a pillar.
 const PLANET: bool = #{PLANET};
 const GROUND: bool = #{GROUND};
-// Whether particles throw light.
+// Whether there is a pillar, and more than one mesh.
+const PILLARS: bool = #{PILLARS};
+const MANY_SURFACES: bool = #{MANY_SURFACES};
+// Whether particles, lamps and flames throw light.
 const CLUSTERS: bool = #{CLUSTERS};
+const LAMPS: bool = #{LAMPS};
+const LIGHTS: bool = #{LIGHTS};
+// Whether there may be more lights of flames than are held.
+const MOST_LIGHTS: bool = #{MOST_LIGHTS};
+#if MORE_LIGHTS == true
+const HELD: u32 = 32u;
+#else
+const HELD: u32 = 16u;
+#endif
 // Whether a surface has grain.
 const GRAINS: bool = #{GRAINS};
 // A ground or a pillar that covers more of its pixel hides.
@@ -45,6 +57,19 @@ const NO_PILLAR: u32 = 0xffffffffu;
 @group(0) @binding(8) var<storage, read_write> surface_faces: array<vec4<u32>>;
 @group(0) @binding(9) var<storage, read_write> surface_pixels: array<vec4<u32>>;
 @group(0) @binding(10) var<storage, read> cluster_lights: array<FlameLight>;
+
+// Lights of flames, loaded before the first branch, where software drivers load what is uniform once.
+var<private> held_places: array<vec4<f32>, HELD>;
+var<private> held_colors: array<vec3<f32>, HELD>;
+
+fn hold_lights(count: u32) {
+    for (var at = 0u; at < HELD; at += 1u) {
+        let is_one = at < count;
+        let flame = flame_lights[at];
+        held_places[at] = select(vec4<f32>(1.0f), bitcast<vec4<f32>>(flame.place), is_one);
+        held_colors[at] = select(vec3<f32>(0.0f), bitcast<vec3<f32>>(flame.color.xyz), is_one);
+    }
+}
 
 // The way from the eye through a place in the picture, as far as depth 1.
 fn way_through(right: f32, up: f32) -> vec3<f32> {
@@ -70,6 +95,8 @@ fn is_hidden(light: SurfaceLight, way: vec3<f32>, depth: f32) -> bool {
         let near = at_least_zero(1.0f - dot3(from_middle, from_middle) * light.middle.w);
         let is_met = less(0.0f, light.middle.w) && less(0.0f, far) && less(far, depth);
         hidden = hidden || (is_met && less(HIDES, near * near));
+    }
+    if PILLARS {
         let pixel = reciprocal(frame.focal_px);
         for (var at = 0u; at < light.kinds.z; at += 1u) {
             let met = meeting(pillars[at], light.eye.xyz, way, pixel);
@@ -94,7 +121,7 @@ fn from_point(light: SurfaceLight, spot: Spot, lamp: vec3<f32>, extent: f32, thr
     let squared = dot3(away, away);
     let near = inverse_square_root(squared + extent);
     var seen = at_least_zero(dot3(spot.normal, away) * near);
-    if GROUND {
+    if PILLARS {
         for (var at = 0u; at < light.kinds.z; at += 1u) {
             if at != spot.pillar {
                 seen *= passed(pillars[at], spot.place, lamp);
@@ -108,23 +135,34 @@ fn from_point(light: SurfaceLight, spot: Spot, lamp: vec3<f32>, extent: f32, thr
 fn light_on(light: SurfaceLight, spot: Spot) -> vec3<f32> {
     let straight = at_least_zero(dot3(spot.normal, light.light_from.xyz));
     var sum = light.ambient.xyz + light.light_color.xyz * straight;
-    for (var at = 0u; at < light.kinds.x; at += 1u) {
-        let lamp = lamps[at];
-        let source = lamp.place.xyz + light.lamps_from.xyz;
-        sum += lamp.color.xyz * (lamp.place.w * from_point(light, spot, source, 0.0f, 0.0f));
+    if LAMPS {
+        for (var at = 0u; at < light.kinds.x; at += 1u) {
+            let lamp = lamps[at];
+            let source = lamp.place.xyz + light.lamps_from.xyz;
+            sum += lamp.color.xyz * (lamp.place.w * from_point(light, spot, source, 0.0f, 0.0f));
+        }
     }
-    for (var at = 0u; at < light.kinds.y; at += 1u) {
-        let flame = flame_lights[at];
-        let source = bitcast<vec4<f32>>(flame.place);
-        let color = bitcast<vec3<f32>>(flame.color.xyz);
-        sum += color * from_point(light, spot, source.xyz, source.w, spot.through.x);
+    if LIGHTS {
+        for (var at = 0u; at < HELD; at += 1u) {
+            let source = held_places[at];
+            let seen = from_point(light, spot, source.xyz, source.w, spot.through.x);
+            sum += held_colors[at] * seen;
+        }
+    }
+    if MOST_LIGHTS {
+        for (var at = HELD; at < light.kinds.y; at += 1u) {
+            let flame = flame_lights[at];
+            let source = bitcast<vec4<f32>>(flame.place);
+            let color = bitcast<vec3<f32>>(flame.color.xyz);
+            sum += color * from_point(light, spot, source.xyz, source.w, spot.through.x);
+        }
     }
     if CLUSTERS {
         for (var at = 1u; at <= cluster_lights[0].place.x; at += 1u) {
             let cluster = cluster_lights[at];
             let way = way_to(cluster, spot.place, spot.normal);
             var falls = fallen(way, spot.normal);
-            if GROUND {
+            if PILLARS {
                 for (var pillar = 0u; pillar < light.kinds.z; pillar += 1u) {
                     if pillar != spot.pillar {
                         falls *= passed(pillars[pillar], spot.place, spot.place + way);
@@ -155,8 +193,11 @@ fn turned(surface: SurfaceFrame, v: vec3<f32>) -> vec3<f32> {
 }
 
 // What a triangle sends back from where the way ends on it.
-fn shaded(light: SurfaceLight, face: u32, way: vec3<f32>, depth: f32) -> vec3<f32> {
-    let surface = surfaces[surface_of(light, face)];
+fn shaded(light: SurfaceLight, lone: SurfaceFrame, face: u32, way: vec3<f32>, depth: f32) -> vec3<f32> {
+    var surface = lone;
+    if MANY_SURFACES {
+        surface = surfaces[surface_of(light, face)];
+    }
     let corner = (surface.faces.x + face - surface.faces.z) * 3u;
     let a_words = surface_corners[corner];
     let b_words = surface_corners[corner + 1u];
@@ -223,6 +264,10 @@ fn pillar_light(light: SurfaceLight, nearest: Nearest, way: vec3<f32>) -> vec3<f
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn surface(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let light = surface_light;
+    let lone = surfaces[0];
+    if LIGHTS {
+        hold_lights(light.kinds.y);
+    }
     let pixel = linear_index(global_id, WORKGROUP_SIZE);
     if pixel >= frame.width * frame.height {
         return;
@@ -232,6 +277,7 @@ fn surface(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let rights = f32_of_u32(pixel % frame.width) - frame.center_x_px + samples_right();
     let ups = frame.center_y_px - f32_of_u32(pixel / frame.width) - samples_down();
     var left = 0u;
+    var is_changed = false;
     for (var sample = 0u; sample < 4u; sample += 1u) {
         if faces[sample] != 0u {
             let way = way_through(rights[sample], ups[sample]);
@@ -240,38 +286,48 @@ fn surface(@builtin(global_invocation_id) global_id: vec3<u32>) {
             faces[sample] = select(faces[sample], 0u, hidden);
             nearness[sample] = select(nearness[sample], 0u, hidden);
             left |= select(1u << sample, 0u, hidden);
+            is_changed = is_changed || hidden;
         }
-        if GROUND && faces[sample] == 0u {
+        if PILLARS && faces[sample] == 0u {
             let before = nearest_pillar(light, way_through(rights[sample], ups[sample]), HIDES);
             nearness[sample] = select(
                 bits_of(reciprocal(before.met.far)), 0u, before.pillar == NO_PILLAR,
             );
+            is_changed = true;
         }
     }
-    surface_faces[pixel] = faces;
-    surface_nearness[pixel] = nearness;
+    if is_changed {
+        surface_faces[pixel] = faces;
+        surface_nearness[pixel] = nearness;
+    }
     var clear = 1.0f - f32_of_u32(countOneBits(left)) * 0.25f;
     var sum = vec3<f32>(0.0f);
-    while left != 0u {
-        let face = faces[firstTrailingBit(left)];
-        var count = 0.0f;
-        var right = 0.0f;
-        var up = 0.0f;
-        var near = 0.0f;
-        for (var sample = 0u; sample < 4u; sample += 1u) {
-            if faces[sample] == face {
-                count += 1.0f;
-                right += rights[sample];
-                up += ups[sample];
-                near += bitcast<f32>(nearness[sample]);
-                left &= ~(1u << sample);
+    // A loop that looks at its end last: others are gone through once more by software drivers.
+    loop {
+        if left != 0u {
+            let face = faces[firstTrailingBit(left)];
+            var count = 0.0f;
+            var right = 0.0f;
+            var up = 0.0f;
+            var near = 0.0f;
+            for (var sample = 0u; sample < 4u; sample += 1u) {
+                if faces[sample] == face {
+                    count += 1.0f;
+                    right += rights[sample];
+                    up += ups[sample];
+                    near += bitcast<f32>(nearness[sample]);
+                    left &= ~(1u << sample);
+                }
             }
+            let share = reciprocal(count);
+            let way = way_through(right * share, up * share);
+            sum += shaded(light, lone, face - 1u, way, reciprocal(near * share)) * (count * 0.25f);
         }
-        let share = reciprocal(count);
-        let way = way_through(right * share, up * share);
-        sum += shaded(light, face - 1u, way, reciprocal(near * share)) * (count * 0.25f);
+        continuing {
+            break if left == 0u;
+        }
     }
-    if GROUND {
+    if PILLARS {
         let middle = way_through(
             f32_of_u32(pixel % frame.width) + 0.5f - frame.center_x_px,
             frame.center_y_px - f32_of_u32(pixel / frame.width) - 0.5f,

@@ -815,6 +815,9 @@ struct SpreadFace {
     fire_from_face_z: vec4<f32>,
     // First edge in spread_features that is near, and how many; the mesh's face.
     features: vec4<u32>,
+    // What q_o and q_c are multiplied by, as bits; frames that flames burn which are dropped here, 0 if as
+    // long as the fire's.
+    material: vec4<u32>,
 }
 
 // A half-edge of a stored face; half-edge 3 f + i begins at corner i of face f.

@@ -56,8 +56,8 @@ fn drop(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let point = moved_points[at];
     let spread = spreads[point.position.w];
     let carries = (spread.kinds.y & SPREAD_CARRIES) != 0u;
-    let lifetime = fires[spread.kinds.x].times.z;
     let face = spread_faces[point.place.z];
+    let lifetime = select(fires[spread.kinds.x].times.z, face.material.z, face.material.z != 0u);
     let here = bitcast<vec2<f32>>(point.place.xy);
     let back = -bitcast<vec2<f32>>(point.course.xy);
     let first = 3u * point.place.z;

@@ -144,16 +144,18 @@ fn front(@builtin(global_invocation_id) global_id: vec3<u32>) {
             heading = select(normal, heading, less(dot2(normal, normal), 0.5f));
         }
         let concurrent = at_least_zero(dot2(heading, downwind));
-        var flux = spread.rates.x + spread.rates.y * concurrent;
+        let opposed_flux = spread.rates.x * bitcast<f32>(face.material.x);
+        let concurrent_flux = spread.rates.y * bitcast<f32>(face.material.y);
+        var flux = opposed_flux + concurrent_flux * concurrent;
         if (spread.kinds.y & SPREAD_SPILL) != 0u {
-            flux = spread.rates.y * downhill(fire, face, heading);
+            flux = concurrent_flux * downhill(fire, face, heading);
         }
         way = heading;
         if is_normal && (spread.kinds.y & (SPREAD_SPILL | SPREAD_STAIN)) == 0u {
             // The same front, by points that keep their normals where nothing changes: each drifts along
             // its front, too.
-            let drift = select(0.0f, spread.rates.y, less(LEAST_DRIFT, concurrent));
-            let velocity = heading * spread.rates.x + downwind * drift;
+            let drift = select(0.0f, concurrent_flux, less(LEAST_DRIFT, concurrent));
+            let velocity = heading * opposed_flux + downwind * drift;
             flux = square_root(dot2(velocity, velocity));
             way = normalized2(velocity);
         }
@@ -165,7 +167,7 @@ fn front(@builtin(global_invocation_id) global_id: vec3<u32>) {
             share *= 1.0f - dense * spread.grain_shape.x;
         }
         if (spread.kinds.y & SPREAD_STAIN) != 0u {
-            flux = spread.rates.x;
+            flux = opposed_flux;
         }
         step = exposed(spread, face, place) * flux * share;
         if (spread.kinds.y & SPREAD_STAIN) != 0u {

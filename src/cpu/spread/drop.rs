@@ -29,6 +29,10 @@ pub fn drop(
     let lifetime = inputs.fires[slot as usize].times[2];
     let [x, y, face_at, _] = point.place;
     let face = &tables.faces[face_at as usize];
+    let lifetime = match face.material[2] {
+        0 => lifetime,
+        own => own,
+    };
     let here = vec2(x, y);
     let back = -vec2(point.course[0], point.course[1]);
     let first = 3 * face_at as usize;

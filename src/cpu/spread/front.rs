@@ -129,6 +129,9 @@ pub fn front(
         }
         let concurrent = at_least_zero(dot2(heading, downwind));
         let [opposed_flux, concurrent_flux, factor, _] = spread.rates;
+        let [opposed_share, concurrent_share, ..] = face.material.map(f32::from_bits);
+        let opposed_flux = opposed_flux * opposed_share;
+        let concurrent_flux = concurrent_flux * concurrent_share;
         let mut flux = opposed_flux + concurrent_flux * concurrent;
         let is_spill = spread.kinds[1] & SPREAD_SPILL != 0;
         let is_stain = spread.kinds[1] & SPREAD_STAIN != 0;

@@ -1,5 +1,6 @@
 //! Checks of fires.
 
+use crate::mesh::Mesh;
 use crate::scene::read::{Reader, Spot};
 use crate::scene::{Fire, FireSpread, SceneError};
 
@@ -84,6 +85,77 @@ pub(in crate::scene) fn ignited(spread: &FireSpread, table: &Reader<'_>) -> Resu
         );
         let help = format!("{points} or more: fires that grow have many times as many");
         return Err(table.at("max_points").error(what, help));
+    }
+    Ok(())
+}
+
+/// The mesh has a part of that name.
+pub(in crate::scene) fn mesh_part(
+    spot: &Spot<'_>,
+    mesh: &Mesh,
+    part: &str,
+) -> Result<(), SceneError> {
+    let names = mesh
+        .parts()
+        .iter()
+        .flat_map(|one| [&one.group, &one.material]);
+    let mut names: Vec<&str> = names
+        .map(String::as_str)
+        .filter(|name| !name.is_empty())
+        .collect();
+    names.sort_unstable();
+    names.dedup();
+    if names.contains(&part) {
+        return Ok(());
+    }
+    let what = format!(
+        "`{}` is \"{part}\", and {} has no such part",
+        spot.path,
+        mesh.name()
+    );
+    let help = if names.is_empty() {
+        "a mesh of a file with groups or materials: that one has none".to_owned()
+    } else {
+        let some = names.iter().take(8).map(|name| format!("\"{name}\""));
+        format!(
+            "one of its groups or materials: {}",
+            some.collect::<Vec<_>>().join(", ")
+        )
+    };
+    Err(spot.node.at.error(what, help))
+}
+
+/// Thickness and conductivity of materials have a formula that they are put in.
+pub(in crate::scene) fn materials(
+    spread: &FireSpread,
+    table: &Reader<'_>,
+) -> Result<(), SceneError> {
+    let conducts = spread
+        .formula
+        .is_some_and(|formula| formula.opposed_flux() > 0.0);
+    for (at, material) in spread.materials.iter().enumerate() {
+        let asks = [
+            ("thickness", material.thickness, spread.formula.is_some()),
+            ("conductivity", material.conductivity, conducts),
+        ];
+        for (key, value, is_right) in asks {
+            if let Some(value) = value
+                && !is_right
+            {
+                let what = format!(
+                    "`{}.{at}.{key}` is {value}, and `{}` {}",
+                    table.path_of("material"),
+                    table.path_of("formula"),
+                    if spread.formula.is_some() {
+                        "conducts no heat"
+                    } else {
+                        "is left out"
+                    }
+                );
+                let help = "a `formula` of which that is another value; or `speed`, a factor";
+                return Err(table.at("material").error(what, help));
+            }
+        }
     }
     Ok(())
 }

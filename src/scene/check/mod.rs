@@ -5,7 +5,7 @@ mod flocks;
 mod parents;
 mod tracks;
 
-pub(super) use fires::{fire, flames, ignited};
+pub(super) use fires::{fire, flames, ignited, materials, mesh_part};
 pub(super) use flocks::{boids, no_such_flock};
 pub(super) use parents::parents;
 pub(super) use tracks::tracks;

@@ -1,13 +1,14 @@
 //! `[fire.spread]`, with what is in it.
 
+use crate::mesh::Mesh;
 use crate::scene::check;
 use crate::scene::files::Files;
 use crate::scene::read::{Reader, Spot};
-use crate::scene::schema::{CHAR, FORMULA, GRAIN, IGNITION, LINE, SMOKE, SPREAD};
-use crate::scene::values::{Quantity, choice, list, whole32};
+use crate::scene::schema::{CHAR, FORMULA, GRAIN, IGNITION, LINE, MATERIAL, SMOKE, SPREAD};
+use crate::scene::values::{Quantity, choice, list, text, whole32};
 use crate::scene::{
     Char, Curvature, FireSpread, FluxFormula, FrontHeading, FrontLine, Grain, GrainPattern,
-    Ignition, Insertion, SceneError, Smoke, SpreadLaw,
+    Ignition, Insertion, Material, SceneError, Smoke, SpreadLaw,
 };
 
 pub(super) fn spread(spot: &Spot<'_>, files: &Files) -> Result<FireSpread, SceneError> {
@@ -40,6 +41,9 @@ pub(super) fn spread(spot: &Spot<'_>, files: &Files) -> Result<FireSpread, Scene
         separation: distance("separation", 0.1)?,
         curvature_distance: distance("curvature_distance", 0.1)?,
         law: [SpreadLaw::Fire, SpreadLaw::Spill, SpreadLaw::Stain][table.must("law", choice)?],
+        materials: table.must("material", |spot| {
+            list(spot, |_, spot| material(spot, &mesh))
+        })?,
         grain: table.may("grain", grain)?,
         curvature: [Curvature::Exposed, Curvature::Literal, Curvature::Ignored]
             [table.must("curvature", choice)?],
@@ -56,7 +60,24 @@ pub(super) fn spread(spot: &Spot<'_>, files: &Files) -> Result<FireSpread, Scene
         surface,
     };
     check::ignited(&spread, &table)?;
+    check::materials(&spread, &table)?;
     Ok(spread)
+}
+
+fn material(spot: &Spot<'_>, mesh: &Mesh) -> Result<Material, SceneError> {
+    let table = Reader::new(spot.path.clone(), MATERIAL, spot.node)?;
+    let part = table.must("part", |spot| {
+        let part = text(spot)?;
+        check::mesh_part(spot, mesh, &part)?;
+        Ok(part)
+    })?;
+    Ok(Material {
+        part,
+        speed: table.must("speed", Quantity::read)?,
+        thickness: table.may("thickness", Quantity::read)?,
+        conductivity: table.may("conductivity", Quantity::read)?,
+        lifetime: table.may("lifetime", whole32)?,
+    })
 }
 
 fn ignition(spot: &Spot<'_>) -> Result<Ignition, SceneError> {

@@ -4,8 +4,8 @@ use super::json::sentence;
 use super::{
     BURST, CAMERA, CHAR, EDGES, EXTINCTIONS, FIRE, FLAME, FLOCK, FORMULA, Field, GENERATION_SHAPES,
     GOAL, GRAIN, GROUND, IGNITION, IMAGE, INHERIT, Kind, LAMP, LAYER, LIGHT, LINE, Limits,
-    OBSTACLES, PILLAR, PLANET, PROFILE, Presence, RAMP, REGION, RELATIONS, ROOTS, SCENE, SMOKE,
-    SPREAD, SURFACE, SYSTEM, Variant, WINDS, parent_of,
+    MATERIAL, OBSTACLES, PILLAR, PLANET, PROFILE, Presence, RAMP, REGION, RELATIONS, ROOTS, SCENE,
+    SMOKE, SPREAD, SURFACE, SYSTEM, Variant, WINDS, parent_of,
 };
 use crate::scene::expect::{digits, range};
 
@@ -117,6 +117,8 @@ pub fn reference_page() -> String {
     page += &section("`[fire.spread]`", about, SPREAD);
     let about = "Where the fire above it begins to spread, inside its `[fire.spread]`.";
     page += &section("`[[fire.spread.ignition]]`", about, IGNITION);
+    let about = "How a part of the mesh burns, inside the `[fire.spread]` above it.";
+    page += &section("`[[fire.spread.material]]`", about, MATERIAL);
     let about = "Where the heat comes from, in SI units, inside the `[fire.spread]` above it.";
     page += &section("`[fire.spread.formula]`", about, FORMULA);
     let about = "A pattern as wood has it, inside the `[fire.spread]` above it, where it is slower, or inside a \

@@ -21,7 +21,7 @@ pub use keys::{
 };
 pub use kinds::{EXTINCTIONS, GENERATION_SHAPES, WINDS};
 pub use markdown::reference_page;
-pub use spread::{CHAR, FORMULA, GRAIN, IGNITION, LINE, SMOKE, SPREAD};
+pub use spread::{CHAR, FORMULA, GRAIN, IGNITION, LINE, MATERIAL, SMOKE, SPREAD};
 
 /// One key of a table.
 #[derive(Clone, Copy, Debug)]

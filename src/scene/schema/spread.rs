@@ -19,6 +19,7 @@ pub const SPREAD: &[Field] = &[
     keyed(optional("separation", DISTANCE, "0.05", "world units", "d_s, how far apart neighbours are when a point comes between, one in each frame; the thesis' slider goes from 0.01 to 0.2; a tenth of the mean edge if left out", "Perry 3.3.2")),
     keyed(optional("curvature_distance", DISTANCE, "0.05", "world units", "d_t, how near an edge has to be to count; the thesis' slider goes from 0.01 to 0.5; a tenth of the mean edge if left out", "Perry 3.3.1")),
     default("law", Kind::Choice(&["fire", "spill", "stain"]), "\"fire\"", "", "whether it burns; or nothing burns, and it runs downhill, by concurrent_flux times the sine of the slope; or it is soaked up, by opposed_flux times the root of the frames", "Perry 3.3.3"),
+    default("material", Kind::Tables { fields: MATERIAL, max: 64 }, "[]", "", "parts of the mesh that burn otherwise than the rest, one `[[fire.spread.material]]` each; of two of one part the later counts", "Perry 4.7"),
     optional("grain", Kind::Table(GRAIN), "{ pattern = \"rings\", scale = 8 }", "", "what makes it slower here and there, as in wood; none if left out", "Perry 4.4"),
     default("curvature", Kind::Choice(&["exposed", "literal", "ignored"]), "\"exposed\"", "", "whether fire is faster at outer edges and slower at inner ones by the angle of exposed air; as equation 3.4 is written, by which nothing burns where it is flat; or no edge counts", "Perry 3.3.1"),
     default("heading", Kind::Choice(&["ray", "normal"]), "\"ray\"", "", "whether control points keep their headings, or head along the front's normal", "Perry 3.3.2"),
@@ -38,6 +39,16 @@ pub const IGNITION: &[Field] = &[
     required("position", PLACE, "[0, 0, 1]", "world units", "where, in the fire's space; the nearest place of the surface is meant", "Perry 3.3.2"),
     default("first_frame", whole(0, 1_000_000), "0", "frames", "when", ""),
     default("points", whole(3, 4096), "16", "points", "how many control points it begins with; the thesis has eight or more", "Perry 3.3.2"),
+];
+
+/// Keys of each `[[fire.spread.material]]`.
+#[rustfmt::skip] // one row a line
+pub const MATERIAL: &[Field] = &[
+    required("part", text(256, false), "\"+z\"", "", "a group or a material of the mesh, by its name there", "Perry 4.7"),
+    default("speed", numbers(1, 0.0, 1e3), "1", "", "factor of the speed on it", "Perry 4.7"),
+    optional("thickness", numbers(1, 1e-6, 1e3), "0.004", "metres", "L of its fuel instead of that of the `formula`, which there has to be; twice as thick is half as fast", "Perry 3.3.1"),
+    optional("conductivity", numbers(1, 0.0, 1e4), "0.2", "watts a metre and kelvin", "instead of that of the `formula`, which there has to be: lambda_s of what is thick", "Perry 3.3.1"),
+    optional("lifetime", whole(1, 1_000_000), "30", "frames", "how long flames burn that are dropped on it; as the fire's others if left out", "Perry 3.4"),
 ];
 
 /// Keys of `[fire.spread.formula]`.
