@@ -43,6 +43,8 @@ impl Plan {
             views: self.uses.views,
             obstacles: self.uses.obstacles,
             torus: self.uses.torus,
+            // More than 32 lights are loaded pixel by pixel, which takes several times as long.
+            most_lights: self.uses.most_lights,
             pillars: self.uses.pillars,
             many_surfaces: self.uses.many_surfaces,
             lamps: self.uses.lamps,
@@ -124,7 +126,8 @@ impl Plan {
         if self.uses.and(plan.uses) != self.uses || plan.row_count > self.row_count {
             return refuse(
                 "uses what the run was begun without".into(),
-                "begin the run as one that may be edited; lifetimes may then grow twofold",
+                "begin a run with it set, or as one that may be edited: lifetimes may then grow twofold, and fires \
+                 have up to 32 lights",
             );
         }
         if plan.relation_count > self.relation_count
