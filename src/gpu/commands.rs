@@ -695,9 +695,9 @@ pub(super) const PIECES: u32 = FLAME_STEPS - 1;
 /// Invocations that share a piece of a strip: more where flames are few, and never so few that one turns
 /// its loop more often than drivers let it, even where the piece fills the picture.
 pub(super) fn strip_shares_of(plan: &Plan) -> u32 {
-    const MOST_TURNS: u32 = 48_000;
+    const MOST_TURNS: u32 = 60_000;
     let needed = (plan.width * plan.height).div_ceil(MOST_TURNS);
-    let wanted = if plan.flame_count > 1024 { 8 } else { 32 };
+    let wanted = if plan.flame_count > 1024 { 4 } else { 32 };
     needed.max(wanted).next_power_of_two()
 }
 

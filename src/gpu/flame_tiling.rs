@@ -21,7 +21,7 @@ shared_constants! {
     const SMALL_PX: u32 = 24;
     const SMALL_LINES: u32 = 32;
     /// Invocations that share such a flame, and pixels that one sums at a time.
-    pub(super) const SMALL_SHARES: u32 = 16;
+    pub(super) const SMALL_SHARES: u32 = 8;
     const SMALL_RUN: u32 = 8;
 }
 

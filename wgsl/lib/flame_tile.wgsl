@@ -20,7 +20,7 @@ const BANDS: u32 = 16u;
 const SMALL_PX: u32 = 24u;
 const SMALL_LINES: u32 = 32u;
 // Invocations that share such a flame, and pixels that one sums at a time.
-const SMALL_SHARES: u32 = 16u;
+const SMALL_SHARES: u32 = 8u;
 const SMALL_RUN: u32 = 8u;
 
 struct FlameTiling {
