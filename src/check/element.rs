@@ -240,7 +240,12 @@ const COVER: Fields = &[
 
 const RED_GREEN: Fields = &[("red", true), ("green", true)];
 
-const SKEW: Fields = &[("x", true), ("y", true)];
+const SKEW: Fields = &[
+    ("skew.x", true),
+    ("skew.y", true),
+    ("tilt.x", true),
+    ("tilt.y", true),
+];
 
 const STRIP_JOINT: Fields = &[
     ("place.x", true),

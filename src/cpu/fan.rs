@@ -3,7 +3,7 @@
 
 use glam::{Vec3, Vec4};
 
-use crate::exact::{at_least_zero, is_positive, larger, shared_constants, smaller};
+use crate::exact::{at_least_zero, is_positive, larger, reciprocal, shared_constants, smaller};
 
 shared_constants! {
     /// Corners of the rim.
@@ -13,6 +13,7 @@ shared_constants! {
     const SIDE_B_X: f32 = 0.902_113;
     const SIDE_B_Y: f32 = 0.459_649_56;
     const SIDE_C: f32 = 0.715_921;
+    const LEAST_DIVISOR: f32 = 0.25;
     /// No half-axis is drawn shorter, in pixels.
     pub const LEAST_HALF_AXIS_PX: f32 = 1.5;
 }
@@ -26,6 +27,12 @@ pub fn center_share(x: f32, y: f32) -> f32 {
     let side_b = major * SIDE_B_X + minor * SIDE_B_Y;
     let side_c = (major + minor) * SIDE_C;
     at_least_zero(1.0 - larger(side_a, larger(side_b, side_c)))
+}
+
+/// One over what a place is divided by, so far as it is in sight: in a particle, it is a half at least.
+#[inline]
+pub fn share_of(divisor: f32) -> f32 {
+    reciprocal(larger(divisor, LEAST_DIVISOR))
 }
 
 /// The share that the centre of the inner layer has.

@@ -1,7 +1,7 @@
 //! A strip along a flame, textured by a slice through noise (Perry 1994, 4.2). Twin of
 //! `wgsl/lib/strip.wgsl`.
 
-use glam::{Vec2, Vec3};
+use glam::{Vec2, Vec3, Vec4};
 
 use crate::cpu::flame::flame_draw;
 use crate::exact::{
@@ -13,6 +13,8 @@ use crate::noise::noise;
 use crate::rng::unit_float;
 
 shared_constants! {
+    /// Pieces of a strip: one between each two places of its flame.
+    pub const PIECES: u32 = 24;
     /// Tells the noise of strips from the one that bends flames.
     pub const STRIP_TAG: u32 = 0x7374_7270;
     const STREAM_SLICE: u32 = 3;
@@ -50,6 +52,24 @@ pub fn along(off: Vec2, way: Vec2) -> f32 {
 #[inline]
 pub fn beside(off: Vec2, way: Vec2) -> f32 {
     off.x * way.y - off.y * way.x
+}
+
+/// How far from its first joint across and along the picture a piece reaches at most, by its two joints'
+/// places and ways on, which do not look away from each other, and the greater half-width.
+#[inline]
+pub fn piece_reach(here: Vec4, there: Vec4, half_width: f32) -> Vec2 {
+    let (way, way_next) = (Vec2::new(here.z, here.w), Vec2::new(there.z, there.w));
+    // Between the joints the way across the strip turns, and is shorter by no more than where it has
+    // turned by half: squared, by the mean of 1 and the cosine.
+    let stretch = reciprocal(0.5 + 0.5 * along(way_next, way));
+    let length = (there.x - here.x).abs() + (there.y - here.y).abs();
+    let sideways = max_exact(here.w.abs(), there.w.abs());
+    let lengthwise = max_exact(here.z.abs(), there.z.abs());
+    // A pixel is more than rounding.
+    Vec2::new(
+        (length + half_width * sideways) * stretch + 1.0,
+        (length + half_width * lengthwise) * stretch + 1.0,
+    )
 }
 
 /// The sum of folded octaves at an age and a distance from the middle.

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use super::GpuBackend;
 use super::dispatch::dispatch_for;
+use super::flame_tiling::SMALL_SHARES;
 use super::kernel::Kernel;
 use super::sort;
 use crate::backend::BackendError;
@@ -93,7 +94,7 @@ enum Work {
     FlameSteps,
     /// One a piece that flames may light, told how many.
     Pieces,
-    /// Page by page, as many for each strip as share it.
+    /// Page by page, as many for each piece of a strip as share it.
     StripShares,
     /// In each slice of flames: one a tile, one a flame, one in all, as many as that says.
     FlameTiles,
@@ -625,7 +626,17 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
     },
     KernelUse {
         stage: Stage::Glow,
+        kernel: "draw/glow_small",
+        work: Work::FlameDiscs,
+    },
+    KernelUse {
+        stage: Stage::Glow,
         kernel: "draw/flame_discs",
+        work: Work::DetailFlames,
+    },
+    KernelUse {
+        stage: Stage::Glow,
+        kernel: "draw/glow_small",
         work: Work::DetailFlames,
     },
     KernelUse {
@@ -678,21 +689,16 @@ pub(super) fn is_used(kernel: &str, plan: &Plan) -> bool {
     stages.clone().next().is_none() || stages.any(|stage| plan.has(stage))
 }
 
-/// Invocations that share a strip: many where flames are few, and never so few that one turns its
-/// loops more often than drivers let it, even where every flame fills the picture, of so many runs of
-/// pixels.
-fn shares_of(plan: &Plan, runs: u32) -> u32 {
-    const MOST_TURNS: u32 = 48_000;
-    // One for each place of a strip, and its own.
-    const TURNS_A_RUN: u32 = FLAME_STEPS + 1;
-    let needed = runs.div_ceil(MOST_TURNS / TURNS_A_RUN);
-    let wanted = if plan.flame_count > 1024 { 64 } else { 256 };
-    needed.max(wanted).next_power_of_two()
-}
+/// Pieces of a strip.
+pub(super) const PIECES: u32 = FLAME_STEPS - 1;
 
-/// Invocations that share a strip, which take single pixels.
+/// Invocations that share a piece of a strip: more where flames are few, and never so few that one turns
+/// its loop more often than drivers let it, even where the piece fills the picture.
 pub(super) fn strip_shares_of(plan: &Plan) -> u32 {
-    shares_of(plan, plan.width * plan.height)
+    const MOST_TURNS: u32 = 60_000;
+    let needed = (plan.width * plan.height).div_ceil(MOST_TURNS);
+    let wanted = if plan.flame_count > 1024 { 4 } else { 32 };
+    needed.max(wanted).next_power_of_two()
 }
 
 /// Invocations that share a triangle of many pixels: so many that none turns its loops more often
@@ -938,7 +944,16 @@ impl GpuBackend {
                 };
                 (0..).zip(self.memory.flame_paging.pages()).try_for_each(
                     |(page, (first, count))| {
-                        push(page, 0, &[count, first, octave, copy], direct(count))
+                        let shares = match kernel {
+                            "draw/glow_small" => SMALL_SHARES,
+                            _ => 1,
+                        };
+                        push(
+                            page,
+                            0,
+                            &[count, first, octave, copy],
+                            direct(count * shares),
+                        )
                     },
                 )
             }
@@ -966,9 +981,10 @@ impl GpuBackend {
                 (0..).zip(self.memory.flame_paging.pages()).try_for_each(
                     |(page, (first, count))| {
                         // Where one page has all flames, no more than can be counted.
-                        let countable = 1 << (u32::MAX / count.max(1)).ilog2();
+                        let pieces = count * PIECES;
+                        let countable = 1 << (u32::MAX / pieces.max(1)).ilog2();
                         let shares = shares.min(countable);
-                        push(page, 0, &[count, shares, first], direct(count * shares))
+                        push(page, 0, &[count, shares, first], direct(pieces * shares))
                     },
                 )
             }

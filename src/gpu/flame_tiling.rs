@@ -17,6 +17,12 @@ shared_constants! {
     const GLOW_BLOCK_LINES: u32 = 4;
     /// Bands of lines, and of columns.
     const BANDS: u32 = 16;
+    /// Pixels across and lines of flames that are drawn without tiles, at most.
+    const SMALL_PX: u32 = 24;
+    const SMALL_LINES: u32 = 32;
+    /// Invocations that share such a flame, and pixels that one sums at a time.
+    pub(super) const SMALL_SHARES: u32 = 8;
+    const SMALL_RUN: u32 = 8;
 }
 
 /// Flames that are drawn at a time.

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::iter;
 
-use super::commands::strip_shares_of;
+use super::commands::{PIECES, strip_shares_of};
 use super::device::GpuDevice;
 use super::flame_tiling::FlameTiling;
 use super::sort;
@@ -109,9 +109,9 @@ impl FlamePaging {
     /// all steps at once: then there is one page.
     fn new(plan: &Plan, most_bytes: u64) -> Self {
         let most = FLAME_PAGED.iter().map(|name| bytes_a_flame(name, plan));
-        // Those that share a strip are more the larger the picture is.
+        // Those that share a piece of a strip are more the larger the picture is.
         let shared = match plan.uses.strips {
-            true => COUNTED / u64::from(strip_shares_of(plan)),
+            true => COUNTED / u64::from(strip_shares_of(plan) * PIECES),
             false => MOST_FLAMES,
         };
         let fits = most_bytes / most.max().unwrap_or(0).max(1);

@@ -147,7 +147,7 @@ impl GpuBackend {
             "flame_bounds" => 4,
             "flame_steps" => steps * 4,
             "flame_discs" => steps * DISC_WORDS,
-            "flame_skews" if self.has_skews => steps * 2,
+            "flame_skews" if self.has_skews => steps * 4,
             "strip_joints" if self.has_strips => steps * 8,
             _ => 0,
         };

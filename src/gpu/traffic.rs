@@ -437,12 +437,15 @@ static TABLE: &[Line] = &[
     ("draw/glow", |load| {
         (load.flames, load.flames * (FLAME_DISCS + 4 * WORD))
     }),
+    ("draw/glow_small", |load| {
+        (load.flames, load.flames * (FLAME_DISCS + 4 * WORD))
+    }),
     ("draw/strip_joints", |load| {
-        let each = FLAME + FLAME_PLACES + STRIP_JOINTS + 4 * WORD;
+        let each = FLAME + FLAME_PLACES + STRIP_JOINTS;
         (load.flames, load.flames * each)
     }),
     ("draw/strips", |load| {
-        (load.flames, load.flames * (STRIP_JOINTS + 4 * WORD))
+        (load.flames, load.flames * STRIP_JOINTS)
     }),
     ("draw/resolve", |load| {
         let own = load.pixels * (2 * LIMB + WORD);

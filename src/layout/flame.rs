@@ -121,8 +121,13 @@ pub struct FireFrame {
     /// Octaves of details; how far they stray as a share of the width; their opacity as a factor; w
     /// unused.
     pub details: [f32; 4],
-    /// Rows of the matrix that each particle is multiplied by after it faces the viewer.
-    pub matrix: [f32; 4],
+    /// Of the matrix that each particle is multiplied by after it faces the viewer: the column that x is
+    /// multiplied by, half-widths.
+    pub matrix_x: [f32; 4],
+    /// That of y.
+    pub matrix_y: [f32; 4],
+    /// Where it puts the centre; z, towards the viewer, is 0 in a particle, and has no column.
+    pub matrix_center: [f32; 4],
     /// Of strips: half the noise cells across, cells a step along, contrast; how far noise changes
     /// the matrix.
     pub strip: [f32; 4],

@@ -494,7 +494,7 @@ pub static BUFFERS: &[Buffer] = {
             size_of::<FlameDisc>(),
             Count::Flames(FLAME_STEPS),
         ),
-        buffer_of("flame_skews", State, "vec2<u32>", 8, Count::FlameSkews),
+        buffer_of("flame_skews", State, "vec4<u32>", 16, Count::FlameSkews),
         buffer_of(
             "strip_joints",
             State,

@@ -159,7 +159,9 @@ fn fire_frame(
             0.0,
         ]
         .map(snap),
-        matrix: fire.particle_matrix.map(snap),
+        matrix_x: column(&fire.particle_matrix, 0),
+        matrix_y: column(&fire.particle_matrix, 1),
+        matrix_center: column(&fire.particle_matrix, 3),
         strip: [
             0.5 * fire.strip_cells[0],
             fire.strip_cells[1] / STEPS_UP,
@@ -175,6 +177,11 @@ fn fire_frame(
         light_scale: [0.0; 4],
         lights: [0; 4],
     }
+}
+
+/// A column of a matrix of four rows.
+fn column(rows: &[f32; 16], at: usize) -> [f32; 4] {
+    [0, 4, 8, 12].map(|row| snap(rows[row + at]))
 }
 
 /// [`FireFrame::char_look`] and [`FireFrame::char_shape`].

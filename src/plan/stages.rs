@@ -453,7 +453,7 @@ pub static STAGES: &[StageInfo] = &[
             "layer_planes",
             "surface_nearness",
         ],
-        writes: &["strip_joints", "flame_bounds", "light_low", "light_high"],
+        writes: &["strip_joints", "light_low", "light_high"],
         draws: true,
     },
     StageInfo {

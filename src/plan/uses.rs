@@ -156,7 +156,13 @@ uses! {
 }
 
 fn has_matrix(fire: &FireFrame) -> bool {
-    fire.matrix != [1.0, 0.0, 0.0, 1.0] || fire.strip[3] > 0.0
+    let columns = [fire.matrix_x, fire.matrix_y, fire.matrix_center];
+    let same = [
+        [1.0, 0.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 1.0],
+    ];
+    columns != same || fire.strip[3] > 0.0
 }
 
 fn is_strip(fire: &FireFrame) -> bool {

@@ -67,7 +67,7 @@ pub struct Fire {
     pub strip_contrast: f32,
     /// Rows of the matrix that each particle is multiplied by after it faces the viewer, each
     /// -100 ..= 100; not singular. Default that which changes nothing.
-    pub particle_matrix: [f32; 4],
+    pub particle_matrix: [f32; 16],
     /// How far noise at a particle changes its matrix, 0 ..= 10. Default 0.
     pub matrix_noise: f32,
     /// What it throws on surfaces.

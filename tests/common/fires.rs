@@ -45,7 +45,7 @@ pub(crate) fn all_kinds_of_fires() -> Scene {
          [[fire.flame]]\nposition = [0, 0.5, 2.2]\nnormal = [0, 0, 1]\n"
             .to_owned(),
         "name = \"skewed\"\nposition = [-0.2, 0.2, -0.5]\nroots = { kind = \"line\", length = 1.5, count = 4 }\n\
-         particle_matrix = [0.5, 0.75, -0.25, 1.5]\nmatrix_noise = 0.5\ndetails = 1\n"
+         particle_matrix = [0.5, 0.75, 0, 0.4, -0.25, 1.5, 0, -0.6, 0.3, -2, 1, 1.5, 0.1, -0.2, 0, 1.1]\nmatrix_noise = 0.5\ndetails = 1\n"
             .to_owned(),
         // One that is kindled after the others and burns for two frames: its light is dark, lit and dark again.
         "name = \"brief\"\nfirst_frame = 1\nlifetime = 2\n[[fire.flame]]\nposition = [0.4, 0, 0.2]\nheight = 0.5\n"

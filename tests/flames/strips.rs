@@ -202,7 +202,9 @@ fn p14_colours_are_a_ramp_of_the_distance_and_turbulence() {
 #[test]
 fn p25_a_matrix_that_changes_nothing_makes_the_same_picture() {
     let plain = flame("noisiness = 0.1\ndetails = 1\n");
-    let same = flame("noisiness = 0.1\ndetails = 1\nparticle_matrix = [1, 0, 0, 1]\n");
+    let same = flame(
+        "noisiness = 0.1\ndetails = 1\nparticle_matrix = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]\n",
+    );
     assert_eq!(drawn(&plain, 4).image, drawn(&same, 4).image);
     // Also where another fire's particles have one, and kernels look at all.
     let fires = |matrix: &str| {
@@ -210,7 +212,11 @@ fn p25_a_matrix_that_changes_nothing_makes_the_same_picture() {
         let dark = other.replacen("name", "brightness = 0\nname", 1);
         scene_with(&[&lone("noisiness = 0.1\n"), &dark], "")
     };
-    let [plain, skewed] = ["", "particle_matrix = [1, 2, 0, 1]\n"].map(|it| drawn(&fires(it), 4));
+    let [plain, skewed] = [
+        "",
+        "particle_matrix = [1, 2, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]\n",
+    ]
+    .map(|it| drawn(&fires(it), 4));
     assert_eq!(plain.image, skewed.image);
 }
 
@@ -220,21 +226,54 @@ fn p25_the_outline_is_that_of_the_matrix() {
     let ramp = "[[fire.ramp]]\nage = 0\ncenter = [1, 1, 1]\nrim = [1, 1, 1]\nalpha = 0.5\nrim_alpha = 0.5\n\
                 [[fire.ramp]]\nage = 0.02\ncenter = [1, 1, 1]\nrim = [1, 1, 1]\nalpha = 0\n";
     let shape = "height = 0.9\nwidth = 0.5\nbase_width = 1\nbase_height = 1\nheight_growth = 0\nswell = 0\n";
-    for matrix in [
-        [1.0, 0.0, 0.0, 1.0],
-        [0.5, 0.75, -0.25, 1.0],
-        [0.0, -1.0, 1.0, 0.0],
-        [2.0, 0.5, 0.0, 0.25],
+    let flat = |[a, b, c, d]: [f64; 4]| {
+        [
+            [a, b, 0.0, 0.0],
+            [c, d, 0.0, 0.0],
+            [0.0, 0.0, 1.0, 0.0],
+            [0.0, 0.0, 0.0, 1.0],
+        ]
+    };
+    for rows in [
+        flat([1.0, 0.0, 0.0, 1.0]),
+        flat([0.5, 0.75, -0.25, 1.0]),
+        flat([0.0, -1.0, 1.0, 0.0]),
+        flat([2.0, 0.5, 0.0, 0.25]),
+        // Moved, and twice as small.
+        [
+            [1.0, 0.0, 0.0, 0.8],
+            [0.0, 1.0, 0.0, -0.5],
+            [0.0, 0.0, 1.0, 0.0],
+            [0.0, 0.0, 0.0, 2.0],
+        ],
+        // Turned towards the viewer, and nearer: the near half is seen larger.
+        [
+            [0.5, 0.0, 0.0, 0.2],
+            [0.0, 1.0, 0.0, 0.3],
+            [1.5, -2.0, 1.0, 2.0],
+            [0.0, 0.0, 0.0, 1.0],
+        ],
+        // Divided by more and more to one side.
+        [
+            [1.0, 0.25, 0.0, 0.0],
+            [0.0, 1.0, 0.0, 0.5],
+            [0.0, 0.0, 1.0, 0.0],
+            [0.3, -0.4, 0.0, 1.0],
+        ],
     ] {
-        let [a, b, c, d] = matrix;
+        let matrix = rows.concat();
         let scene = flame(&format!("{shape}particle_matrix = {matrix:?}\n{ramp}"));
         let light = drawn(&scene, 0).light;
         let [x0, y0] = seen([0.0; 3]);
         let half = 0.25 * scale();
         let corner = |at: u32| {
             let angle = std::f64::consts::TAU * f64::from(at) / 20.0;
-            let [x, y] = [angle.cos() * half, angle.sin() * half];
-            [x0 + a * x + b * y, y0 - (c * x + d * y)]
+            let place = [angle.cos(), angle.sin(), 0.0, 1.0];
+            let row = |row: usize| (0..4).map(|at| rows[row][at] * place[at]).sum::<f64>();
+            let [x, y, z] = [0, 1, 2].map(|axis| row(axis) / row(3));
+            // As it is seen from the camera, 2.5 away at the height of 0.5.
+            let nearer = 1.0 / (1.0 - 0.25 * z / 2.5);
+            [x0 + x * half * nearer, y0 - y * half * nearer]
         };
         let (mut inside, mut wrong) = (0, 0);
         for (at, pixel) in light.iter().enumerate() {
@@ -246,8 +285,14 @@ fn p25_the_outline_is_that_of_the_matrix() {
                 let side = way[0] * (place[1] - p[1]) - way[1] * (place[0] - p[0]);
                 side / way[0].hypot(way[1])
             });
-            let sign = if a * d - b * c > 0.0 { -1.0 } else { 1.0 };
-            let depth = sides.map(|side| sign * side).fold(f64::MAX, f64::min);
+            let sides: Vec<f64> = sides.collect();
+            let least = |sign: f64| {
+                sides
+                    .iter()
+                    .map(|side| sign * side)
+                    .fold(f64::MAX, f64::min)
+            };
+            let depth = least(1.0).max(least(-1.0));
             if depth.abs() < 0.02 {
                 continue;
             }

@@ -43,7 +43,8 @@ fn a_fire_alone_is_a_scene_with_the_documented_defaults() {
         (FlameForm::Particles, [2.0, 5.0])
     );
     assert_eq!(own.strip_contrast, 0.6);
-    assert_eq!(own.particle_matrix, [1.0, 0.0, 0.0, 1.0]);
+    let same = [0, 5, 10, 15];
+    assert!((0..16).all(|at| own.particle_matrix[at] == f32::from(u8::from(same.contains(&at)))));
     assert_eq!(own.matrix_noise, 0.0);
     let lights = FireLights {
         gain: 1.0,
@@ -179,6 +180,25 @@ fn fires_that_are_at_odds_with_themselves_are_refused() {
 
 #[test]
 fn p25_a_matrix_that_makes_everything_flat_is_refused() {
-    let error = refused(&fire(&format!("particle_matrix = [2, 1, 4, 2]\n{FLAME}")));
-    assert!(error.message().contains("is singular"), "{error}");
+    for (rows, wanted) in [
+        (
+            "2, 1, 0, 0, 4, 2, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1",
+            "is singular",
+        ),
+        (
+            "1, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1",
+            "is singular",
+        ),
+        (
+            "1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 1",
+            "is singular",
+        ),
+        (
+            "1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0",
+            "too far away",
+        ),
+    ] {
+        let error = refused(&fire(&format!("particle_matrix = [{rows}]\n{FLAME}")));
+        assert!(error.message().contains(wanted), "{error}");
+    }
 }

@@ -220,7 +220,7 @@ pub(crate) const KEYS: &[(&str, &str, &str, &str, &str)] = &[
     ("fire", "form", "1", "\"ribbon\"", "\"particles\", \"strip\""),
     ("fire", "strip_cells", "2", "[1, -1]", "2 numbers, each from 0 to 1000"),
     ("fire", "strip_contrast", "true", "-1", "from 0 to 10"),
-    ("fire", "particle_matrix", "[1, 0, 0]", "[101, 0, 0, 1]", "4 numbers, each from -100 to 100"),
+    ("fire", "particle_matrix", "[1, 0, 0, 1]", "[101, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]", "16 numbers, each from -100 to 100"),
     ("fire", "matrix_noise", "[1]", "11", "from 0 to 10"),
     ("fire", "light", "true", "-1", "from 0 to 1_000_000"),
     ("fire", "lights", "1.5", "65", "from 0 to 64"),

@@ -456,7 +456,9 @@ fn fire() -> Fire {
         form: FlameForm::Strip,
         strip_cells: [3.0, 7.0],
         strip_contrast: 0.75,
-        particle_matrix: [1.0, 0.5, 0.0, 2.0],
+        particle_matrix: [
+            1.0, 0.5, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0,
+        ],
         matrix_noise: 0.125,
         lights: FireLights {
             gain: 7.0,

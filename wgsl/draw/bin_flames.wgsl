@@ -1,13 +1,13 @@
 // bin_flames: which tiles each flame of a slice may touch, and which of its ages where.
 //
 // One invocation a flame. Reads: flame_bounds, flame_discs. Writes: flame_tiles (atomic ors and adds).
-// Invariant: the bit of a flame is set in every tile of which it may light a pixel, and that of an age in
+// Invariant: the bit of a flame that is not small is set in every tile of which it may light a pixel, and that of an age in
 // every band of lines and of columns; bits do not depend on the order of invocations.
 
 #import motes::dispatch::linear_index
 #import motes::exact::{reciprocal, to_i32}
 #import motes::flame_tile::{
-    BANDS, GLOW_BLOCK_LINES, GLOW_BLOCK_PX, FlameTiling, band_shift, first_band, first_word, touched_word,
+    BANDS, GLOW_BLOCK_LINES, GLOW_BLOCK_PX, FlameTiling, band_shift, first_band, first_word, is_small, touched_word,
 }
 #import motes::layout::{FLAME_STEPS, FlameDisc}
 
@@ -42,7 +42,7 @@ fn bin_flames(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let bounds = flame_bounds[tiling.first + at].xy;
     let first = bounds & vec2<u32>(0xffffu);
     let end = bounds >> vec2<u32>(16u);
-    if first.x >= end.x || first.y >= end.y {
+    if first.x >= end.x || first.y >= end.y || is_small(end - first) {
         return;
     }
     let low = first / tiling.tile_px;

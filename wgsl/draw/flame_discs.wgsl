@@ -35,6 +35,8 @@ const COLOR_NOISES: bool = #{COLOR_NOISES};
 const MATRIX_TAG: u32 = 0x6d617472u;
 // Particles whose matrix shrinks areas more than to this are not drawn.
 const LEAST_MATRIX_AREA: f32 = 0.000001f;
+// Nor are those of which any place is divided by less than this, of 1.
+const LEAST_MATRIX_DIVISOR: f32 = 0.0625f;
 
 struct Work {
     // Flames of a page, and the first of them among all.
@@ -54,7 +56,7 @@ var<immediate> work: Work;
 @group(0) @binding(5) var<storage, read> layer_planes: array<vec4<f32>>;
 @group(0) @binding(6) var<storage, read_write> flame_discs: array<FlameDisc>;
 @group(0) @binding(7) var<storage, read_write> flame_bounds: array<vec4<u32>>;
-@group(0) @binding(8) var<storage, read_write> flame_skews: array<vec2<u32>>;
+@group(0) @binding(8) var<storage, read_write> flame_skews: array<vec4<u32>>;
 
 // The layer, from 1, that a world place is in.
 fn layer_of(world: vec3<f32>) -> u32 {
@@ -100,43 +102,75 @@ fn colors_of(fire: FireFrame, slot: u32, age: f32, p: vec3<f32>) -> Colors {
     );
 }
 
-// The rows of the matrix of a particle at `p`.
-fn matrix_of(fire: FireFrame, p: vec3<f32>) -> vec4<f32> {
-    let m = fire.matrix;
-    let n = noise(p * fire.look.z + fire.noise.xyz, fire.kinds.z ^ MATRIX_TAG) * fire.strip.w;
-    return vec4<f32>(
-        m.x + (m.x * n.x + m.y * n.z),
-        m.y + (m.x * n.y + m.y * n.w),
-        m.z + (m.z * n.x + m.w * n.z),
-        m.w + (m.z * n.y + m.w * n.w),
-    );
+// What the matrix of a particle at `p` makes of x, of y and of the centre.
+struct Matrix {
+    x: vec4<f32>,
+    y: vec4<f32>,
+    center: vec4<f32>,
 }
 
-// A polygon with these half-axes, as its matrix has it: half of its extent across and along the
-// picture, and what leads from places back into it.
+fn matrix_of(fire: FireFrame, p: vec3<f32>) -> Matrix {
+    let x = fire.matrix_x;
+    let y = fire.matrix_y;
+    let n = noise(p * fire.look.z + fire.noise.xyz, fire.kinds.z ^ MATRIX_TAG) * fire.strip.w;
+    return Matrix(x + (x * n.x + y * n.z), y + (x * n.y + y * n.w), fire.matrix_center);
+}
+
+// A polygon with these half-axes, as its matrix has it: how far from its place its centre is seen, half of
+// its extent across and along the picture, what leads from places back into it, and how what it is divided
+// by there grows.
 struct Outline {
+    center: vec2<f32>,
     reach: vec2<f32>,
     scale: vec2<f32>,
     skew: vec2<f32>,
+    tilt: vec2<f32>,
     is_flat: bool,
 }
 
-fn outline_of(fire: FireFrame, p: vec3<f32>, across: f32, along: f32) -> Outline {
+// Places are in pixels from that of the particle, y up; the half-width is a flame's in so many, of which
+// the half-axes are `scale`.
+fn outline_of(fire: FireFrame, p: vec3<f32>, across: f32, along: f32, scale: vec2<f32>, half_width: f32) -> Outline {
     if !SKEWS {
-        let scale = vec2<f32>(reciprocal(across), reciprocal(along));
-        return Outline(vec2<f32>(across, along), scale, vec2<f32>(0.0f), false);
+        let into = vec2<f32>(reciprocal(across), reciprocal(along));
+        let none = vec2<f32>(0.0f);
+        return Outline(none, vec2<f32>(across, along), into, none, none, false);
     }
     let m = matrix_of(fire, p);
-    let area = m.x * m.w - m.y * m.z;
-    let is_flat = less(abs(area), LEAST_MATRIX_AREA);
+    // What is nearer the viewer is larger. All is divided by what the centre is divided by.
+    let nearer = reciprocal(frame.focal_px);
+    let far = m.center.w - m.center.z * half_width * nearer;
+    let is_behind = less(far, LEAST_MATRIX_DIVISOR);
+    let share = reciprocal(select(far, 1.0f, is_behind));
+    let x = m.x.xy * share;
+    let y = m.y.xy * share;
+    let divisor = vec2<f32>(
+        (m.x.w * scale.x * reciprocal(across) - m.x.z * nearer) * share,
+        (m.y.w * scale.y * reciprocal(along) - m.y.z * nearer) * share,
+    );
+    let center = m.center.xy * half_width * share;
+    // The least that any corner is divided by, of 1 at the centre.
+    let least = 1.0f - (abs(divisor.x) * across + abs(divisor.y) * along);
+    let x_there = x - center * divisor.x;
+    let y_there = y - center * divisor.y;
+    let area = x_there.x * y_there.y - y_there.x * x_there.y;
+    let is_flat = is_behind || less(abs(area), LEAST_MATRIX_AREA) || less(least, LEAST_MATRIX_DIVISOR);
     let inverse = reciprocal(select(area, 1.0f, is_flat));
     let to_across = inverse * reciprocal(across);
     let to_along = inverse * reciprocal(along);
+    let stretch = reciprocal(select(least, 1.0f, is_flat));
     return Outline(
-        vec2<f32>(abs(m.x) * across + abs(m.y) * along, abs(m.z) * across + abs(m.w) * along),
-        vec2<f32>(m.w * to_across, m.x * to_along),
+        vec2<f32>(center.x, 0.0f - center.y),
+        vec2<f32>(
+            (abs(x_there.x) * across + abs(y_there.x) * along) * stretch,
+            (abs(x_there.y) * across + abs(y_there.y) * along) * stretch,
+        ),
+        vec2<f32>(y_there.y * to_across, x_there.x * to_along),
         // y is up in the matrix, and down in the picture.
-        vec2<f32>(m.y * to_across, m.z * to_along),
+        vec2<f32>(y_there.x * to_across, x_there.y * to_along),
+        vec2<f32>(
+            (x.y * divisor.y - y.y * divisor.x) * inverse, (x.x * divisor.y - y.x * divisor.x) * inverse,
+        ),
         is_flat,
     );
 }
@@ -178,24 +212,29 @@ fn flame_discs_of(@builtin(global_invocation_id) global_id: vec3<u32>) {
         let colors = colors_of(fire, slot, own_age, place);
         let across = half_axis(half_width * scale * look.scale.x * seen.scale);
         let along = half_axis(half_width * scale * look.scale.y * seen.scale);
-        let outline = outline_of(fire, place, across.x, along.x);
+        let outline = outline_of(
+            fire, place, across.x, along.x, look.scale.xy, half_width * scale * seen.scale,
+        );
         let reach = outline.reach;
+        let middle = vec2<f32>(seen.x, seen.y) + outline.center;
         let is_near = less(MOST_HALF_AXIS_PX, reach.x) || less(MOST_HALF_AXIS_PX, reach.y);
         let is_seen = is_there && !is_near && !outline.is_flat && !less(seen.depth, frame.near);
         let opacity = select(0.0f, brightness * across.y * along.y, is_seen);
         flame_discs[at * FLAME_STEPS + age] = FlameDisc(
             vec4<u32>(
-                bits_of(seen.x), bits_of(seen.y), bits_of(outline.scale.x), bits_of(outline.scale.y),
+                bits_of(middle.x), bits_of(middle.y), bits_of(outline.scale.x), bits_of(outline.scale.y),
             ),
             bits_of_four(vec4<f32>(colors.center.xyz, colors.center.w * opacity)),
             bits_of_four(vec4<f32>(colors.rim.xyz, colors.rim.w * opacity)),
         );
         if SKEWS {
-            flame_skews[at * FLAME_STEPS + age] = vec2<u32>(bits_of(outline.skew.x), bits_of(outline.skew.y));
+            flame_skews[at * FLAME_STEPS + age] = vec4<u32>(
+                bits_of(outline.skew.x), bits_of(outline.skew.y), bits_of(outline.tilt.x), bits_of(outline.tilt.y),
+            );
         }
         if is_seen {
-            let first = vec2<i32>(to_i32(seen.x - reach.x), to_i32(seen.y - reach.y));
-            let last = vec2<i32>(to_i32(seen.x + reach.x) + 1, to_i32(seen.y + reach.y) + 1);
+            let first = vec2<i32>(to_i32(middle.x - reach.x), to_i32(middle.y - reach.y));
+            let last = vec2<i32>(to_i32(middle.x + reach.x) + 1, to_i32(middle.y + reach.y) + 1);
             low = min(low, first);
             high = max(high, last);
         }

@@ -2,7 +2,7 @@
 //
 // Perry 1994, 3.2.2: the particles along a flame accumulate, whichever comes first. One invocation a block
 // of 8 by 4 pixels: it goes through the flames of its tile and the ages that touch the block, so that a
-// particle is loaded once for 32 pixels. What the 25 particles of a flame add to a pixel is summed before
+// particle is loaded once for 32 pixels; flames of a few pixels are glow_small's. What the 25 particles of a flame add to a pixel is summed before
 // it is rounded; what flames add is a sum of integers.
 // A disc is as near as the place that it is around, and its front.
 // Loops end at their heads: a software driver loses what lanes did that leave one at its foot.
@@ -10,7 +10,7 @@
 // Writes: light_low, light_high.
 // Invariant: the image does not depend on the order of flames, nor on tiles or slices.
 
-#import motes::fan::{Lit, center_shares, with_disc, with_two_discs}
+#import motes::fan::{Fan, Lit, with_fan}
 #import motes::dispatch::linear_index
 #import motes::exact::{f32_of_u32, reciprocal}
 #import motes::flame_tile::{
@@ -35,21 +35,10 @@ var<immediate> tiling: FlameTiling;
 @group(0) @binding(2) var<storage, read> flame_bounds: array<vec4<u32>>;
 @group(0) @binding(3) var<storage, read_write> light_low: array<u32>;
 @group(0) @binding(4) var<storage, read_write> light_high: array<u32>;
-@group(0) @binding(5) var<storage, read> flame_skews: array<vec2<u32>>;
+@group(0) @binding(5) var<storage, read> flame_skews: array<vec4<u32>>;
 @group(0) @binding(6) var<storage, read> flame_steps: array<vec4<u32>>;
 @group(0) @binding(7) var<storage, read> surface_nearness: array<vec4<u32>>;
 @group(0) @binding(8) var<storage, read> flame_tiles: array<u32>;
-
-// A particle.
-struct Fan {
-    place: vec4<f32>,
-    skew: vec2<f32>,
-    inner: vec2<f32>,
-    center: vec4<f32>,
-    rim: vec4<f32>,
-    // How near it is.
-    front: u32,
-}
 
 // How near surfaces are in each sample of four pixels.
 struct Samples {
@@ -93,18 +82,7 @@ fn no_steps() -> Steps {
 }
 
 fn with_four(sum: Lit, fan: Fan, columns: vec4<f32>, down: f32) -> Lit {
-    let off = columns - fan.place.x;
-    var across = off * fan.place.z;
-    var along = vec4<f32>(down * fan.place.w);
-    if SKEWS {
-        across += vec4<f32>(down * fan.skew.x);
-        along += off * fan.skew.y;
-    }
-    let shares = center_shares(across, along);
-    if INNERS {
-        return with_two_discs(sum, fan.center, fan.rim, fan.inner, shares);
-    }
-    return with_disc(sum, fan.center, fan.rim, shares);
+    return with_fan(sum, fan, columns, down, SKEWS, INNERS);
 }
 
 fn with_open(sum: Lit, more: Lit, open: vec4<f32>) -> Lit {
@@ -161,9 +139,9 @@ fn ages_at(flame: u32, bounds: vec2<u32>, x: u32, y: u32) -> u32 {
 
 fn fan_at(at: u32, inner: vec2<f32>) -> Fan {
     let disc = flame_discs[at];
-    var skew = vec2<f32>(0.0f);
+    var skew = vec4<f32>(0.0f);
     if SKEWS {
-        skew = bitcast<vec2<f32>>(flame_skews[at]);
+        skew = bitcast<vec4<f32>>(flame_skews[at]);
     }
     let place = bitcast<vec4<f32>>(disc.place);
     var front = 0u;

@@ -1,13 +1,12 @@
-// strip_joints: where the strips along flames bend, and which pixels they touch.
+// strip_joints: where the strips along flames bend.
 //
 // Perry 1994, 4.2: polygons erected around the trajectory. A strip faces the viewer: it is as wide as the
 // flame's particles, and across the way from the joint before to the one behind. One invocation a flame.
-// Reads: frame, fires, age_looks, flames, flame_steps, layer_planes. Writes: strip_joints, flame_bounds
-// (first column, and one past the last in the upper 16 bits; the same of lines; 0 for none).
+// Reads: frame, fires, age_looks, flames, flame_steps, layer_planes. Writes: strip_joints.
 // Invariant: what is not drawn is not seen at any joint.
 
 #import motes::dispatch::linear_index
-#import motes::exact::{bits_of, dot3, less, max_exact, reciprocal, square_root, to_i32}
+#import motes::exact::{bits_of, dot3, less, max_exact, reciprocal, square_root}
 #import motes::fan::LEAST_HALF_AXIS_PX
 #import motes::layout::{AgeLook, FIRE_STRIP, FLAME_STEPS, FireFrame, Flame, Frame, StripJoint}
 #import motes::projection::project
@@ -34,7 +33,6 @@ var<immediate> work: Work;
 @group(0) @binding(4) var<storage, read> flame_steps: array<vec4<u32>>;
 @group(0) @binding(5) var<storage, read> layer_planes: array<vec4<f32>>;
 @group(0) @binding(6) var<storage, read_write> strip_joints: array<StripJoint>;
-@group(0) @binding(7) var<storage, read_write> flame_bounds: array<vec4<u32>>;
 
 // The layer, from 1, that a world place is in.
 fn layer_of(world: vec3<f32>) -> u32 {
@@ -63,9 +61,6 @@ fn strip_joints_of(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let here = !LAYERS || frame.layer == 0u
         || layer_of(bitcast<vec3<f32>>(flame.root_and_fire.xyz)) == frame.layer;
     let burns = here && flame.look.w == 1u && (fire.kinds.w & FIRE_STRIP) != 0u;
-    let size = vec2<i32>(i32(frame.width), i32(frame.height));
-    var low = size;
-    var high = vec2<i32>(0, 0);
     var place = place_of(at, 0u);
     var seen = project(frame, place);
     var before = vec2<f32>(seen.x, seen.y);
@@ -88,19 +83,8 @@ fn strip_joints_of(@builtin(global_invocation_id) global_id: vec3<u32>) {
             vec4<u32>(bits_of(seen.x), bits_of(seen.y), bits_of(way.x), bits_of(way.y)),
             vec4<u32>(bits_of(drawn), bits_of(opacity), select(0u, 1u, is_seen), bits_of(seen.depth)),
         );
-        if is_seen {
-            // Where a strip bends between two joints, it is farther from both.
-            let reach = drawn + abs(seen_behind.x - seen.x) + abs(seen_behind.y - seen.y);
-            low = min(low, vec2<i32>(to_i32(seen.x - reach), to_i32(seen.y - reach)));
-            high = max(high, vec2<i32>(to_i32(seen.x + reach) + 1, to_i32(seen.y + reach) + 1));
-        }
         before = vec2<f32>(seen.x, seen.y);
         place = behind;
         seen = seen_behind;
     }
-    low = max(low, vec2<i32>(0, 0));
-    high = min(high, size);
-    let is_some = low.x < high.x && low.y < high.y;
-    let bounds = vec2<u32>(low) | (vec2<u32>(high) << vec2<u32>(16u));
-    flame_bounds[at] = vec4<u32>(select(vec2<u32>(0u), bounds, is_some), 0u, 0u);
 }

@@ -8,7 +8,7 @@
 // Reads and writes no buffers. Invariant: exact on every driver; twin of src/cpu/fan.rs.
 #define_import_path motes::fan
 
-#import motes::exact::{at_least_zero, is_positive, larger, smaller}
+#import motes::exact::{at_least_zero, is_positive, larger, reciprocal, smaller}
 
 // Corners of the rim.
 const CORNERS: u32 = 20u;
@@ -19,6 +19,8 @@ const SIDE_A_Y: f32 = 0.15838444f;
 const SIDE_B_X: f32 = 0.9021130f;
 const SIDE_B_Y: f32 = 0.45964956f;
 const SIDE_C: f32 = 0.7159210f;
+// No place is divided by less.
+const LEAST_DIVISOR: f32 = 0.25f;
 // No half-axis is drawn shorter, in pixels: what is smaller is so much fainter.
 const LEAST_HALF_AXIS_PX: f32 = 1.5f;
 
@@ -27,6 +29,20 @@ struct Lit {
     red: vec4<f32>,
     green: vec4<f32>,
     blue: vec4<f32>,
+}
+
+// A particle.
+struct Fan {
+    // Its place in the picture, and one over its half-axes; what its matrix adds to these, and how what
+    // places are divided by grows across and down.
+    place: vec4<f32>,
+    skew: vec4<f32>,
+    // Its second layer, as `with_two_discs` has it.
+    inner: vec2<f32>,
+    center: vec4<f32>,
+    rim: vec4<f32>,
+    // How near it is.
+    front: u32,
 }
 
 // The share of the centre in the colour at `x`, `y`, in half-axes from the centre; 0 outside.
@@ -86,4 +102,30 @@ fn with_alpha(sum: Lit, center: vec4<f32>, rim: vec4<f32>, share: vec4<f32>, ins
         sum.green + (rim.y + inward.y * share) * alpha,
         sum.blue + (rim.z + inward.z * share) * alpha,
     );
+}
+
+// One over what a place is divided by, so far as it is in sight: in a particle, it is a half at least.
+fn share_of(divisor: f32) -> f32 {
+    return reciprocal(larger(divisor, LEAST_DIVISOR));
+}
+
+// The sum with the light of a particle on four pixels in these columns, `down` lines below its centre;
+// whether any has a matrix, and a second layer.
+fn with_fan(sum: Lit, fan: Fan, columns: vec4<f32>, down: f32, skews: bool, inners: bool) -> Lit {
+    let off = columns - fan.place.x;
+    var across = off * fan.place.z;
+    var along = vec4<f32>(down * fan.place.w);
+    if skews {
+        let divisor = off * fan.skew.z + (1.0f + down * fan.skew.w);
+        let share = vec4<f32>(
+            share_of(divisor.x), share_of(divisor.y), share_of(divisor.z), share_of(divisor.w),
+        );
+        across = (across + vec4<f32>(down * fan.skew.x)) * share;
+        along = (along + off * fan.skew.y) * share;
+    }
+    let shares = center_shares(across, along);
+    if inners {
+        return with_two_discs(sum, fan.center, fan.rim, fan.inner, shares);
+    }
+    return with_disc(sum, fan.center, fan.rim, shares);
 }

@@ -1,5 +1,6 @@
 // How the picture is cut into tiles for the flames, and what is known of these.
 //
+// Flames of a few pixels are not in them: for these, going through tiles costs more than it spares.
 // Flames come in slices of 1,024. A tile has 33 words: bit w of the first says whether word w of the 32
 // behind it is not zero; their bits say which flames of the slice may touch the tile. So no tile has too
 // many, and memory has a bound whatever comes. Behind them is how many tiles any touches, and which; and
@@ -14,6 +15,13 @@ const GLOW_BLOCK_PX: u32 = 8u;
 const GLOW_BLOCK_LINES: u32 = 4u;
 // Bands of lines, and of columns.
 const BANDS: u32 = 16u;
+
+// Pixels across and lines of flames that are drawn without tiles, at most.
+const SMALL_PX: u32 = 24u;
+const SMALL_LINES: u32 = 32u;
+// Invocations that share such a flame, and pixels that one sums at a time.
+const SMALL_SHARES: u32 = 8u;
+const SMALL_RUN: u32 = 8u;
 
 struct FlameTiling {
     // Pixels of a tile's side, a multiple of 8, and tiles across and down.
@@ -53,4 +61,9 @@ fn band_shift(extent: u32, block: u32) -> u32 {
         shift += 1u;
     }
     return shift;
+}
+
+// Whether a flame that touches so many pixels across, and lines, is drawn without tiles.
+fn is_small(extent: vec2<u32>) -> bool {
+    return extent.x <= SMALL_PX && extent.y <= SMALL_LINES;
 }

@@ -675,8 +675,11 @@ struct FireFrame {
     inner: vec4<f32>,
     // Octaves of details; how far they stray as a share of the width; their opacity as a factor.
     details: vec4<f32>,
-    // Rows of the matrix that each particle is multiplied by after it faces the viewer.
-    matrix: vec4<f32>,
+    // Of the matrix that each particle is multiplied by after it faces the viewer: the columns of x and y,
+    // half-widths, and where it puts the centre.
+    matrix_x: vec4<f32>,
+    matrix_y: vec4<f32>,
+    matrix_center: vec4<f32>,
     // Of strips: half the noise cells across, cells a step along, contrast; how far noise changes the
     // matrix.
     strip: vec4<f32>,

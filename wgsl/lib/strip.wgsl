@@ -15,6 +15,8 @@
 #import motes::noise::noise
 #import motes::rng::unit_float
 
+// Pieces of a strip: one between each two places of its flame.
+const PIECES: u32 = 24u;
 // Tells the noise of strips from the one that bends flames.
 const STRIP_TAG: u32 = 0x73747270u;
 // The stream of the hash that says which slice a flame has, of so many cells.
@@ -50,6 +52,21 @@ fn along(off: vec2<f32>, way: vec2<f32>) -> f32 {
 // How far beside it.
 fn beside(off: vec2<f32>, way: vec2<f32>) -> f32 {
     return off.x * way.y - off.y * way.x;
+}
+
+// How far from its first joint across and along the picture a piece reaches at most, by its two joints'
+// places and ways on, which do not look away from each other, and the greater half-width.
+// Between the joints the way across the strip turns, and is shorter by no more than where it has turned
+// by half: squared, by the mean of 1 and the cosine.
+fn piece_reach(here: vec4<f32>, there: vec4<f32>, half_width: f32) -> vec2<f32> {
+    let stretch = reciprocal(0.5f + 0.5f * along(there.zw, here.zw));
+    let length = abs(there.x - here.x) + abs(there.y - here.y);
+    let sideways = max_exact(abs(here.w), abs(there.w));
+    let lengthwise = max_exact(abs(here.z), abs(there.z));
+    // A pixel is more than rounding.
+    return vec2<f32>(
+        (length + half_width * sideways) * stretch + 1.0f, (length + half_width * lengthwise) * stretch + 1.0f,
+    );
 }
 
 // The sum of folded octaves at an age and a distance from the middle.

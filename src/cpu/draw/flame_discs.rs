@@ -20,6 +20,8 @@ shared_constants! {
     pub const MATRIX_TAG: u32 = 0x6d61_7472;
     /// Particles whose matrix shrinks areas more than to this are not drawn.
     pub const LEAST_MATRIX_AREA: f32 = 0.000_001;
+    /// Nor are those of which any place is divided by less than this, of 1.
+    pub const LEAST_MATRIX_DIVISOR: f32 = 0.0625;
 }
 
 /// A half-axis that is drawn, and how much fainter it is for that.
@@ -49,54 +51,88 @@ fn colors_of(fire: &FireFrame, looks: &[AgeLook], age: f32, p: Vec3) -> [Vec4; 2
     [mixed(here.center, next.center), mixed(here.rim, next.rim)]
 }
 
-/// The rows of the matrix of a particle at `p`.
+/// What the matrix of a particle at `p` makes of x, of y and of the centre.
 #[inline]
-fn matrix_of(fire: &FireFrame, p: Vec3) -> Vec4 {
-    let m = Vec4::from(fire.matrix);
+fn matrix_of(fire: &FireFrame, p: Vec3) -> [Vec4; 3] {
+    let [x, y] = [fire.matrix_x, fire.matrix_y].map(Vec4::from);
     let at = p * fire.look[2] + Vec3::from_slice(&fire.noise);
     let n = noise(at, fire.kinds[2] ^ MATRIX_TAG) * fire.strip[3];
-    Vec4::new(
-        m.x + (m.x * n.x + m.y * n.z),
-        m.y + (m.x * n.y + m.y * n.w),
-        m.z + (m.z * n.x + m.w * n.z),
-        m.w + (m.z * n.y + m.w * n.w),
-    )
+    [
+        x + (x * n.x + y * n.z),
+        y + (x * n.y + y * n.w),
+        Vec4::from(fire.matrix_center),
+    ]
 }
 
-/// A polygon as its matrix has it: half of its extent across and along the picture, and what leads
-/// from places back into it.
+/// A polygon as its matrix has it: how far from its place its centre is seen, half of its extent across and
+/// along the picture, what leads from places back into it, and how what it is divided by there grows.
 struct Outline {
+    center: Vec2,
     reach: Vec2,
     scale: Vec2,
     skew: Vec2,
+    tilt: Vec2,
     is_flat: bool,
 }
 
-/// Without a matrix, of one that changes nothing.
+/// Of a polygon with these half-axes in pixels, which are `scale` half-widths of its flame, and of a
+/// matrix; without one, of one that changes nothing.
 #[inline]
-fn outline_of(fire: &FireFrame, has_matrix: bool, p: Vec3, across: f32, along: f32) -> Outline {
-    if !has_matrix {
+fn outline_of(
+    fire: &FireFrame,
+    focal_px: Option<f32>,
+    p: Vec3,
+    [across, along]: [f32; 2],
+    scale: [f32; 2],
+    half_width: f32,
+) -> Outline {
+    let Some(focal_px) = focal_px else {
         return Outline {
+            center: Vec2::ZERO,
             reach: Vec2::new(across, along),
             scale: Vec2::new(reciprocal(across), reciprocal(along)),
             skew: Vec2::ZERO,
+            tilt: Vec2::ZERO,
             is_flat: false,
         };
-    }
-    let m = matrix_of(fire, p);
-    let area = m.x * m.w - m.y * m.z;
-    let is_flat = less(area.abs(), LEAST_MATRIX_AREA);
+    };
+    let [of_x, of_y, of_center] = matrix_of(fire, p);
+    // What is nearer the viewer is larger. All is divided by what the centre is divided by.
+    let nearer = reciprocal(focal_px);
+    let far = of_center.w - of_center.z * half_width * nearer;
+    let is_behind = less(far, LEAST_MATRIX_DIVISOR);
+    let share = reciprocal(if is_behind { 1.0 } else { far });
+    let seen = |v: Vec4| Vec2::new(v.x, v.y);
+    let (x, y) = (seen(of_x) * share, seen(of_y) * share);
+    let divisor = Vec2::new(
+        (of_x.w * scale[0] * reciprocal(across) - of_x.z * nearer) * share,
+        (of_y.w * scale[1] * reciprocal(along) - of_y.z * nearer) * share,
+    );
+    let center = seen(of_center) * half_width * share;
+    // The least that any corner is divided by, of 1 at the centre.
+    let least = 1.0 - (divisor.x.abs() * across + divisor.y.abs() * along);
+    let x_there = x - center * divisor.x;
+    let y_there = y - center * divisor.y;
+    let area = x_there.x * y_there.y - y_there.x * x_there.y;
+    let is_flat =
+        is_behind || less(area.abs(), LEAST_MATRIX_AREA) || less(least, LEAST_MATRIX_DIVISOR);
     let inverse = reciprocal(if is_flat { 1.0 } else { area });
     let to_across = inverse * reciprocal(across);
     let to_along = inverse * reciprocal(along);
+    let stretch = reciprocal(if is_flat { 1.0 } else { least });
     Outline {
+        center: Vec2::new(center.x, 0.0 - center.y),
         reach: Vec2::new(
-            m.x.abs() * across + m.y.abs() * along,
-            m.z.abs() * across + m.w.abs() * along,
+            (x_there.x.abs() * across + y_there.x.abs() * along) * stretch,
+            (x_there.y.abs() * across + y_there.y.abs() * along) * stretch,
         ),
-        scale: Vec2::new(m.w * to_across, m.x * to_along),
+        scale: Vec2::new(y_there.y * to_across, x_there.x * to_along),
         // y is up in the matrix, and down in the picture.
-        skew: Vec2::new(m.y * to_across, m.z * to_along),
+        skew: Vec2::new(y_there.x * to_across, x_there.y * to_along),
+        tilt: Vec2::new(
+            (x.y * divisor.y - y.y * divisor.x) * inverse,
+            (x.x * divisor.y - y.x * divisor.x) * inverse,
+        ),
         is_flat,
     }
 }
@@ -135,7 +171,7 @@ pub fn flame_discs(
     pass: DetailPass,
     steps: &[[u32; 4]],
     discs: &mut [FlameDisc],
-    skews: &mut [[u32; 2]],
+    skews: &mut [[u32; 4]],
 ) -> [u32; 4] {
     let frame = &inputs.frame;
     let [_, width, brightness, burns] = flame.look;
@@ -144,7 +180,7 @@ pub fn flame_discs(
     let here = frame.layer == 0 || layer_of(&inputs.layer_planes, root) == frame.layer;
     let fire = &inputs.fires[flame.fire() as usize];
     let burns = here && burns == 1 && fire.kinds[3] & FIRE_STRIP == 0;
-    let has_matrix = !skews.is_empty();
+    let focal_px = (!skews.is_empty()).then_some(frame.focal_px);
     let size = IVec2::new(frame.width as i32, frame.height as i32);
     let (mut low, mut high) = (size, IVec2::ZERO);
     let first_look = (flame.fire() * FLAME_STEPS) as usize;
@@ -164,8 +200,18 @@ pub fn flame_discs(
         let [center, rim] = colors_of(fire, looks, own_age, place);
         let (across, fainter) = half_axis(half_width * scale * look.scale[0] * seen.scale);
         let (along, fainter_still) = half_axis(half_width * scale * look.scale[1] * seen.scale);
-        let outline = outline_of(fire, has_matrix, place, across, along);
+        let drawn_half_width = half_width * scale * seen.scale;
+        let axes = [look.scale[0], look.scale[1]];
+        let outline = outline_of(
+            fire,
+            focal_px,
+            place,
+            [across, along],
+            axes,
+            drawn_half_width,
+        );
         let reach = outline.reach;
+        let middle = Vec2::new(seen.x, seen.y) + outline.center;
         let is_near = less(MOST_HALF_AXIS_PX, reach.x) || less(MOST_HALF_AXIS_PX, reach.y);
         let is_seen = is_there && !is_near && !outline.is_flat && !less(seen.depth, frame.near);
         let opacity = if is_seen {
@@ -178,16 +224,21 @@ pub fn flame_discs(
             [red, green, blue, alpha * opacity].map(bits_of)
         };
         *disc = FlameDisc {
-            place: [seen.x, seen.y, outline.scale.x, outline.scale.y].map(bits_of),
+            place: [middle.x, middle.y, outline.scale.x, outline.scale.y].map(bits_of),
             center: with(center),
             rim: with(rim),
         };
         if let Some(skew) = skews.get_mut(age) {
-            *skew = outline.skew.to_array().map(bits_of);
+            let [skew_x, skew_y] = outline.skew.to_array();
+            let [tilt_x, tilt_y] = outline.tilt.to_array();
+            *skew = [skew_x, skew_y, tilt_x, tilt_y].map(bits_of);
         }
         if is_seen {
-            let first = IVec2::new(to_i32(seen.x - reach.x), to_i32(seen.y - reach.y));
-            let last = IVec2::new(to_i32(seen.x + reach.x) + 1, to_i32(seen.y + reach.y) + 1);
+            let first = IVec2::new(to_i32(middle.x - reach.x), to_i32(middle.y - reach.y));
+            let last = IVec2::new(
+                to_i32(middle.x + reach.x) + 1,
+                to_i32(middle.y + reach.y) + 1,
+            );
             low = low.min(first);
             high = high.max(last);
         }

@@ -3,7 +3,7 @@
 
 use glam::{Vec3, Vec4};
 
-use crate::cpu::fan::{center_share, disc_light};
+use crate::cpu::fan::{center_share, disc_light, share_of};
 use crate::cpu::light::{LightSums, steps_of};
 use crate::cpu::veil::{front_of, open_share};
 use crate::exact::{f32_of_u32, less, reciprocal};
@@ -34,7 +34,7 @@ fn disc_front(frame: &Frame, place: [u32; 4], half_width_px: f32) -> u32 {
 pub fn glow(
     discs: &[FlameDisc],
     steps: &[[u32; 4]],
-    skews: &[[u32; 2]],
+    skews: &[[u32; 4]],
     [across, down, inner @ ..]: [u32; 4],
     onto: Onto<'_>,
 ) {
@@ -49,7 +49,8 @@ pub fn glow(
         // From the root up in every pixel, as sums of floats depend on the order.
         for (age, (disc, step)) in discs.iter().zip(steps).enumerate() {
             let [place_x, place_y, inverse_width, inverse_height] = disc.place.map(f32::from_bits);
-            let [skew_x, skew_y] = skews.get(age).unwrap_or(&[0; 2]).map(f32::from_bits);
+            let skew = skews.get(age).unwrap_or(&[0; 4]);
+            let [skew_x, skew_y, tilt_x, tilt_y] = skew.map(f32::from_bits);
             let down = line - place_y;
             if skews.is_empty() && !less((down * inverse_height).abs(), 1.0) {
                 continue;
@@ -68,8 +69,12 @@ pub fn glow(
             let front = disc_front(onto.frame, *step, half_width);
             for x in first..last {
                 let off = f32_of_u32(x) + 0.5 - place_x;
-                let across = off * inverse_width + down * skew_x;
-                let along = off * skew_y + down * inverse_height;
+                let mut across = off * inverse_width + down * skew_x;
+                let mut along = off * skew_y + down * inverse_height;
+                if !skews.is_empty() {
+                    let share = share_of(off * tilt_x + (1.0 + down * tilt_y));
+                    (across, along) = (across * share, along * share);
+                }
                 let lit = disc_light(center, rim, inner, center_share(across, along));
                 let nearness = onto.nearness.get((y * light.width + x) as usize);
                 let open = nearness.map_or(1.0, |nearness| open_share(*nearness, front));

@@ -1,14 +1,12 @@
 //! strip_joints: where the strips along flames bend. Twin of `wgsl/draw/strip_joints.wgsl`.
 
-use glam::{IVec2, Vec2, Vec3};
+use glam::{Vec2, Vec3};
 
 use super::splat::layer_of;
 use crate::cpu::fan::LEAST_HALF_AXIS_PX;
 use crate::cpu::projection::project;
 use crate::cpu::strip::{direction_of, overlap_of};
-use crate::exact::{
-    bits_of, dot3, less, max_exact, reciprocal, shared_constants, square_root, to_i32,
-};
+use crate::exact::{bits_of, dot3, less, max_exact, reciprocal, shared_constants, square_root};
 use crate::layout::{FIRE_STRIP, FLAME_STEPS, Flame, StripJoint};
 use crate::plan::FrameInputs;
 
@@ -17,14 +15,13 @@ shared_constants! {
     pub const MOST_HALF_WIDTH_PX: f32 = 16_384.0;
 }
 
-/// The joints of the strip along a flame whose particle is at these places, from age 0 on, and which
-/// pixels it touches: first column, and one past the last in the upper 16 bits; the same of lines.
+/// The joints of the strip along a flame whose particle is at these places, from age 0 on.
 pub fn strip_joints(
     inputs: &FrameInputs,
     flame: &Flame,
     steps: &[[u32; 4]],
     joints: &mut [StripJoint],
-) -> [u32; 4] {
+) {
     let frame = &inputs.frame;
     let [_, width, brightness, burns] = flame.look;
     let half_width = 0.5 * f32::from_bits(width);
@@ -33,8 +30,6 @@ pub fn strip_joints(
     let fire = &inputs.fires[flame.fire() as usize];
     let burns = here && burns == 1 && fire.kinds[3] & FIRE_STRIP != 0;
     let looks = &inputs.age_looks[(flame.fire() * FLAME_STEPS) as usize..];
-    let size = IVec2::new(frame.width as i32, frame.height as i32);
-    let (mut low, mut high) = (size, IVec2::ZERO);
     let place_of = |age: usize| {
         let [x, y, z, _] = steps[age].map(f32::from_bits);
         Vec3::new(x, y, z)
@@ -70,25 +65,8 @@ pub fn strip_joints(
                 bits_of(seen.depth),
             ],
         };
-        if is_seen {
-            let reach = drawn + (seen_behind.x - seen.x).abs() + (seen_behind.y - seen.y).abs();
-            low = low.min(IVec2::new(to_i32(seen.x - reach), to_i32(seen.y - reach)));
-            high = high.max(IVec2::new(
-                to_i32(seen.x + reach) + 1,
-                to_i32(seen.y + reach) + 1,
-            ));
-        }
         before = Vec2::new(seen.x, seen.y);
         place = behind;
         seen = seen_behind;
-    }
-    low = low.max(IVec2::ZERO);
-    high = high.min(size);
-    if low.x < high.x && low.y < high.y {
-        let [across, down] =
-            [low.x | (high.x << 16), low.y | (high.y << 16)].map(i32::cast_unsigned);
-        [across, down, 0, 0]
-    } else {
-        [0; 4]
     }
 }

@@ -38,7 +38,7 @@ pub(super) struct Flames {
     /// The same as they are seen.
     pub(super) discs: Vec<FlameDisc>,
     /// What else leads from places back into them; empty if no particle has a matrix.
-    pub(super) skews: Vec<[u32; 2]>,
+    pub(super) skews: Vec<[u32; 4]>,
     /// Where the strips along flames bend; empty if there are none.
     pub(super) joints: Vec<StripJoint>,
     /// Which pixels each flame touches, and its inner layer.
@@ -128,7 +128,7 @@ impl Flames {
     }
 
     pub(super) fn discs(&mut self, inputs: &FrameInputs, pass: DetailPass) {
-        let mut skews: Vec<&mut [[u32; 2]]> = self.skews.chunks_mut(STEPS).collect();
+        let mut skews: Vec<&mut [[u32; 4]]> = self.skews.chunks_mut(STEPS).collect();
         skews.resize_with(self.flames.len(), Default::default);
         self.discs
             .par_chunks_mut(STEPS)
@@ -184,10 +184,9 @@ impl Flames {
             .par_chunks_mut(STEPS)
             .zip(self.steps.par_chunks(STEPS))
             .zip(&self.flames)
-            .zip(&mut self.bounds)
-            .for_each(|(((joints, steps), flame), bounds)| {
-                *bounds = strip_joints(inputs, flame, steps, joints);
-                strips(inputs, flame, joints, *bounds, onto);
+            .for_each(|((joints, steps), flame)| {
+                strip_joints(inputs, flame, steps, joints);
+                strips(inputs, flame, joints, onto);
             });
     }
 }

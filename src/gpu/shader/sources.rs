@@ -157,6 +157,7 @@ pub static KERNELS: &[Source] = sources![
     "draw/bin_flames",
     "draw/glow_work",
     "draw/glow",
+    "draw/glow_small",
     "draw/strip_joints",
     "draw/strips",
     "draw/resolve",

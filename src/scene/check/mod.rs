@@ -184,10 +184,18 @@ pub(super) fn direction(spot: &Spot<'_>) -> Result<[f32; 3], SceneError> {
     Ok(direction)
 }
 
-/// Reads the two rows of a matrix that does not make everything flat.
-pub(super) fn invertible(spot: &Spot<'_>) -> Result<[f32; 4], SceneError> {
-    let rows @ [a, b, c, d] = <[f32; 4]>::read(spot)?;
-    if (a * d - b * c).abs() < 1e-4 {
+/// Reads the four rows of a matrix that makes neither everything flat, nor puts the centre behind the
+/// viewer: columns of x and y, and where the centre goes, as they are seen.
+pub(super) fn invertible(spot: &Spot<'_>) -> Result<[f32; 16], SceneError> {
+    let rows = <[f32; 16]>::read(spot)?;
+    let seen = |row: usize| [rows[4 * row], rows[4 * row + 1], rows[4 * row + 3]];
+    let [[a, b, x], [c, d, y], [p, q, w]] = [seen(0), seen(1), seen(3)];
+    if w < 0.1 {
+        let why = "puts the centre of a particle too far away: the last number of the fourth row is below 0.1";
+        return Err(spot.refuse(spot.node, &spot.path, why));
+    }
+    let volume = a * (d * w - y * q) - b * (c * w - y * p) + x * (c * q - d * p);
+    if volume.abs() < 1e-4 {
         let why = "is singular: what it makes of a particle is flat";
         return Err(spot.refuse(spot.node, &spot.path, why));
     }
