@@ -108,10 +108,10 @@ fn turbulence_at_lanes(wind: &Wind, places: &Lanes, octaves: u32, first_key: u32
     for _ in 0..octaves {
         let mut slope = Lanes::default();
         let mut values = [0.0; LANES];
-        for lane in 0..LANES {
+        for (lane, own) in values.iter_mut().enumerate() {
             let (gradient, value) = gradient_and_value(lane_of(&at, lane), key);
             set_lane(&mut slope, lane, gradient);
-            values[lane] = value;
+            *own = value;
         }
         for (axis, sum) in sum.iter_mut().enumerate() {
             for (lane, sum) in sum.iter_mut().enumerate() {
