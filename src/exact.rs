@@ -179,9 +179,17 @@ pub fn clamp3(v: Vec3, low: Vec3, high: Vec3) -> Vec3 {
 }
 
 /// The largest integer that is not above the snapped `x`.
+///
+/// Without SSE 4.1 there is no instruction for `floor`, and a call for each number would keep loops from
+/// being vectorised; so this rounds by adding 2^23, beside which floats are 1 apart. From there on all
+/// floats are whole.
 #[inline]
 pub fn floor_exact(x: f32) -> f32 {
-    snap(x).floor()
+    const WHOLE_FROM: f32 = 8_388_608.0;
+    let x = snap(x);
+    let rounded = ((x.abs() + WHOLE_FROM) - WHOLE_FROM).copysign(x);
+    let below = if rounded > x { rounded - 1.0 } else { rounded };
+    if x.abs() < WHOLE_FROM { below } else { x }
 }
 
 /// [`floor_exact`] as an integer, clamped to -2^30 ..= 2^30 (infinities, too); NaN gives 0.

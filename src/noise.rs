@@ -32,7 +32,7 @@ shared_constants! {
 pub const PERIOD: f64 = 24_576.0;
 
 /// What a cell's coordinates add to the hash of its corner.
-#[inline]
+#[inline(always)]
 fn hash_share([x, y, z]: [u32; 3]) -> [u32; 3] {
     [
         (x & CELL_MASK).wrapping_mul(CELL_X),
@@ -47,7 +47,7 @@ pub fn corner_gradient(x: u32, y: u32, z: u32, key: u32) -> Vec3 {
     gradient_of(hash_share([x, y, z]), key)
 }
 
-#[inline]
+#[inline(always)]
 fn gradient_of(share: [u32; 3], key: u32) -> Vec3 {
     let mut h = share.iter().fold(key, |sum, part| sum.wrapping_add(*part));
     h = (h ^ (h >> 16)).wrapping_mul(ROUND_A);
@@ -60,15 +60,15 @@ fn gradient_of(share: [u32; 3], key: u32) -> Vec3 {
     )
 }
 
-/// What a corner adds, seen from it at `d`: the gradient, and the value in w.
-#[inline]
-fn from_corner(slope: Vec3, d: Vec3) -> Vec4 {
+/// What a corner adds, seen from it at `d`: the gradient and the value.
+#[inline(always)]
+fn from_corner(slope: Vec3, d: Vec3) -> (Vec3, f32) {
     let t = at_least_zero(REACH_SQUARED - (d.x * d.x + d.y * d.y + d.z * d.z));
     let t2 = t * t;
     let t4 = t2 * t2;
     let rise = slope.x * d.x + slope.y * d.y + slope.z * d.z;
     let inward = -8.0 * (t2 * t) * rise;
-    (t4 * slope + inward * d).extend(t4 * rise)
+    (t4 * slope + inward * d, t4 * rise)
 }
 
 /// The gradient of the noise at `p`, per unit of `p`, and its value in w. `key` says which noise.
@@ -76,6 +76,14 @@ fn from_corner(slope: Vec3, d: Vec3) -> Vec4 {
 /// The root mean square of the gradient is 1, the value's standard deviation 0.2582.
 #[inline]
 pub fn noise(p: Vec3, key: u32) -> Vec4 {
+    let (gradient, value) = gradient_and_value(p, key);
+    gradient.extend(value)
+}
+
+/// What [`noise`] has in one vector, as numbers: loops over several places are vectorised, as long as
+/// all of this is in them and nothing in it is a vector or a branch.
+#[inline(always)]
+pub(crate) fn gradient_and_value(p: Vec3, key: u32) -> (Vec3, f32) {
     let q = p * CELLS_PER_UNIT;
     let skew = (q.x + q.y + q.z) * SKEW;
     let skewed = Vec3::new(q.x + skew, q.y + skew, q.z + skew);
@@ -93,15 +101,16 @@ pub fn noise(p: Vec3, key: u32) -> Vec4 {
     let x_over_y = !less(d.x, d.y);
     let y_over_z = !less(d.y, d.z);
     let x_over_z = !less(d.x, d.z);
+    // No short circuits: they would be branches that nobody foretells.
     let second = [
-        x_over_y && x_over_z,
-        !x_over_y && y_over_z,
-        !x_over_z && !y_over_z,
+        x_over_y & x_over_z,
+        !x_over_y & y_over_z,
+        !x_over_z & !y_over_z,
     ];
     let third = [
-        x_over_y || x_over_z,
-        !x_over_y || y_over_z,
-        !x_over_z || !y_over_z,
+        x_over_y | x_over_z,
+        !x_over_y | y_over_z,
+        !x_over_z | !y_over_z,
     ];
     let here = hash_share([x, y, z]);
     let beyond = hash_share([x, y, z].map(|at| at.wrapping_add(1)));
@@ -116,10 +125,14 @@ pub fn noise(p: Vec3, key: u32) -> Vec4 {
         gradient_of(share, key)
     };
     let to = |steps: [bool; 3]| Vec3::from(steps.map(|step| if step { 1.0 } else { 0.0 }));
-    let near_corners = from_corner(corner([false; 3]), d)
-        + from_corner(corner(second), (d - to(second)) + Vec3::splat(UNSKEW));
-    let far_corners = from_corner(corner(third), (d - to(third)) + Vec3::splat(SKEW))
-        + from_corner(corner([true; 3]), d - Vec3::splat(0.5));
-    let sum = near_corners + far_corners;
-    (sum.truncate() * (GRADIENT_GAIN * CELLS_PER_UNIT)).extend(sum.w * GRADIENT_GAIN)
+    let (slope_a, a) = from_corner(corner([false; 3]), d);
+    let (slope_b, b) = from_corner(corner(second), (d - to(second)) + Vec3::splat(UNSKEW));
+    let (slope_c, c) = from_corner(corner(third), (d - to(third)) + Vec3::splat(SKEW));
+    let (slope_d, d) = from_corner(corner([true; 3]), d - Vec3::splat(0.5));
+    let slope = (slope_a + slope_b) + (slope_c + slope_d);
+    let value = (a + b) + (c + d);
+    (
+        slope * (GRADIENT_GAIN * CELLS_PER_UNIT),
+        value * GRADIENT_GAIN,
+    )
 }

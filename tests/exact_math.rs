@@ -125,6 +125,12 @@ fn to_i32_floors_and_clamps_whatever_it_is_given() {
     assert_eq!(to_i32(-0.5), -1);
     assert_eq!(to_i32(-1e-20), 0, "what is snapped is not below zero");
     assert_eq!(to_i32(f32::NEG_INFINITY), -1_073_741_824);
+    for x in awkward() {
+        let want = if x.abs() < power(-40) { 0.0 } else { x.floor() };
+        let same =
+            floor_exact(x).to_bits() == want.to_bits() || x.is_nan() && floor_exact(x).is_nan();
+        assert!(same, "{x:e}: {} instead of {want}", floor_exact(x));
+    }
     assert_eq!(floor_exact(-1.5), -2.0);
     assert_eq!(floor_exact(-1e-20).to_bits(), 0);
 }

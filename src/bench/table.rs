@@ -34,7 +34,8 @@ pub fn sweep_tables(record: &Record) -> String {
         if fits.is_empty() {
             continue;
         }
-        let title = format!("{scene}, as a line over {} counts", runs.len());
+        let rest = format!(", as a line over {} counts", runs.len());
+        let title = shortened(scene, COLUMNS - rest.len()) + &rest;
         text += &format!(
             "\n{}\n{:<NAME$} {:>8} {:>9} {:>9} {:>21} {:>9}\n",
             shortened(&title, COLUMNS),
@@ -131,9 +132,12 @@ pub fn micro_table(record: &Record) -> String {
 /// One run, with a blank line before.
 pub fn run_table(record: &Record, run: &Run) -> String {
     let frame = run.frame_ms.median;
+    // What a scene was changed by may be long: count and size are told whole.
+    let room = COLUMNS.saturating_sub(titled("", run).chars().count());
+    let title = titled(&shortened(&run.scene, room.max(NAME)), run);
     let mut text = format!(
         "\n{}\n{}\n",
-        shortened(&title(run), COLUMNS),
+        shortened(&title, COLUMNS),
         head("pass", "of frame")
     );
     let mut part = None;
@@ -187,6 +191,10 @@ pub fn run_table(record: &Record, run: &Run) -> String {
 
 /// E.g. `million at 1,000,000 particles, 1280x720, 61 frames after 64`.
 pub(super) fn title(run: &Run) -> String {
+    titled(&run.scene, run)
+}
+
+fn titled(scene: &str, run: &Run) -> String {
     let size = run
         .image_px
         .map_or(String::new(), |[across, down]| format!(", {across}x{down}"));
@@ -194,7 +202,7 @@ pub(super) fn title(run: &Run) -> String {
         0 => String::new(),
         frames => format!(" after {frames}"),
     };
-    let (scene, particles, frames) = (&run.scene, grouped(run.particles), run.frames);
+    let (particles, frames) = (grouped(run.particles), run.frames);
     format!("{scene} at {particles} particles{size}, {frames} frames{warm}")
 }
 

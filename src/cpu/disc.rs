@@ -13,39 +13,82 @@ shared_constants! {
     const SMALL_SIDE: u32 = 5;
 }
 
+/// Room for its pixels in groups of four.
+const WHOLE_GROUPS: usize = (SMALL_SIDE * SMALL_SIDE).next_multiple_of(4) as usize;
+
 /// How far a disc reaches at rest: to the outermost covered pixel centre.
 #[inline]
 pub(crate) fn reach_of(radius_px: f32) -> f32 {
     edged_radius(radius_px) + 0.5
 }
 
-/// How much of the pixel around `place` a disc covers, 0 to 1.
+/// Squared ways along one axis from `middle` to the centres of the pixels from `first` on.
 #[inline]
-fn weight_at(center: Vec2, reach: f32, place: Vec2) -> f32 {
-    let dx = place.x - center.x;
-    let dy = place.y - center.y;
-    clamp_unit(reach - square_root(dx * dx + dy * dy))
+fn squares(first: i32, middle: f32) -> [f32; SMALL_SIDE as usize] {
+    std::array::from_fn(|at| {
+        let away = center_of(first + at as i32) - middle;
+        away * away
+    })
 }
 
-/// Gives `pixel` the pixels of a disc of `radius_px`, in the picture or not, column by column, and
-/// how much light each gets: their sum is the disc's area.
-pub(crate) fn small_disc(center: Vec2, radius_px: f32, mut pixel: impl FnMut(IVec2, f32)) {
-    let reach = reach_of(radius_px);
-    let range = |middle: f32| {
-        let first = to_i32(middle - reach + 0.5);
-        let last = to_i32(middle + reach - 0.5);
-        first..first + (last - first + 1).min(SMALL_SIDE as i32)
-    };
-    let (columns, lines) = (range(center.x), range(center.y));
-    let pixels = columns.flat_map(|x| lines.clone().map(move |y| IVec2::new(x, y)));
-    let mut weights = [0.0; (SMALL_SIDE * SMALL_SIDE) as usize];
-    let mut sum = 0.0;
-    for (at, weight) in pixels.clone().zip(&mut weights) {
-        *weight = weight_at(center, reach, Vec2::new(center_of(at.x), center_of(at.y)));
-        sum += *weight;
+/// The pixels of a small disc, in the picture or not, and how much light each gets: their sum is the
+/// disc's area.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SmallDisc {
+    /// The pixel of the least x and y.
+    pub(crate) first: IVec2,
+    /// How many stand side by side.
+    pub(crate) columns: usize,
+    /// How many stand one below the other.
+    pub(crate) lines: usize,
+    /// Column by column, before the gain.
+    weights: [f32; WHOLE_GROUPS],
+    gain: f32,
+}
+
+impl SmallDisc {
+    /// The disc of `radius_px` around `center`.
+    #[inline]
+    pub(crate) fn new(center: Vec2, radius_px: f32) -> Self {
+        let reach = reach_of(radius_px);
+        let range = |middle: f32| {
+            let first = to_i32(middle - reach + 0.5);
+            let last = to_i32(middle + reach - 0.5);
+            (
+                first,
+                (last - first + 1).clamp(0, SMALL_SIDE as i32) as usize,
+            )
+        };
+        let ((first_x, columns), (first_y, lines)) = (range(center.x), range(center.y));
+        let (across, down) = (squares(first_x, center.x), squares(first_y, center.y));
+        let mut weights = [0.0; WHOLE_GROUPS];
+        let mut count = 0;
+        for dx_squared in &across[..columns] {
+            for dy_squared in &down[..lines] {
+                weights[count] = dx_squared + dy_squared;
+                count += 1;
+            }
+        }
+        // In whole groups, what is past the last pixel among them: vectors of the processor.
+        for weight in &mut weights[..count.next_multiple_of(4)] {
+            *weight = clamp_unit(reach - square_root(*weight));
+        }
+        let mut sum = 0.0;
+        for weight in &weights[..count] {
+            sum += weight;
+        }
+        Self {
+            first: IVec2::new(first_x, first_y),
+            columns,
+            lines,
+            weights,
+            gain: PI * radius_px * radius_px * reciprocal(sum),
+        }
     }
-    let gain = PI * radius_px * radius_px * reciprocal(sum);
-    for (at, weight) in pixels.zip(weights) {
-        pixel(at, weight * gain);
+
+    /// What the pixel in that column and line gets.
+    #[inline]
+    pub(crate) fn weight(&self, column: usize, line: usize) -> f32 {
+        self.weights[column * self.lines + line] * self.gain
     }
 }

@@ -3,6 +3,8 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
+use rayon::prelude::*;
+
 use crate::exact::{f32_of_u32, shared_constants, to_i32, to_u32};
 
 shared_constants! {
@@ -49,9 +51,8 @@ impl LightSums {
 
     /// Makes it dark again.
     pub fn clear(&mut self) {
-        for sum in &mut self.sums {
-            *sum.get_mut() = 0;
-        }
+        let sums = self.sums.par_iter_mut().with_min_len(1 << 16);
+        sums.for_each(|sum| *sum.get_mut() = 0);
     }
 
     /// Adds light to channel `at` = 3 pixel + channel. Sums do not depend on the order.
@@ -72,6 +73,16 @@ impl LightSums {
                 let (high, low) = (*sum.get_mut() >> 32, *sum.get_mut() & 0xffff_ffff);
                 let whole = (high.min(0xffff) << 32) | low;
                 *sum.get_mut() = ((u128::from(whole) * u128::from(share)) >> 16) as u64;
+            }
+        }
+    }
+
+    /// Adds light to the three channels of a pixel.
+    #[inline]
+    pub(super) fn add_to(&self, pixel: usize, steps: [u32; 3]) {
+        for (sum, steps) in self.sums[3 * pixel..3 * pixel + 3].iter().zip(steps) {
+            if steps != 0 {
+                sum.fetch_add(u64::from(steps), Ordering::Relaxed);
             }
         }
     }

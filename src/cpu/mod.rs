@@ -76,6 +76,8 @@ pub struct CpuBackend {
     alive_bits: Vec<u32>,
     /// For want of light, and out of bounds.
     deaths: [u32; 2],
+    /// Whether particles die of nothing else.
+    only_age_kills: bool,
     curve_points: Vec<[f32; 4]>,
     meshes: Arc<MeshTables>,
     tree: Tree,
@@ -145,6 +147,7 @@ impl CpuBackend {
             survivors: Vec::new(),
             alive_bits: Vec::new(),
             deaths: [0; 2],
+            only_age_kills: !plan.uses.thresholds && !plan.uses.bounds,
             curve_points: plan.curve_points.clone(),
             meshes: Arc::clone(&plan.meshes),
             tree: Tree::new(plan),
@@ -425,6 +428,8 @@ impl CpuBackend {
 
     fn cull(&mut self, inputs: &FrameInputs) {
         let rows = &self.rows;
+        let (now, least_lifetime) = (inputs.frame.frame, inputs.frame.least_lifetime);
+        let only_age_kills = self.only_age_kills;
         self.alive_bits.resize(self.particles.len().div_ceil(32), 0);
         self.deaths = self
             .alive_bits
@@ -432,6 +437,11 @@ impl CpuBackend {
             .with_min_len(CHUNK / 32)
             .zip(self.particles.par_chunks(32))
             .map(|(bits, word)| {
+                // The first is the oldest: where it is too young to die, so are all.
+                if only_age_kills && word[0].age(now) < least_lifetime {
+                    *bits = u32::MAX >> (32 - word.len());
+                    return [0, 0];
+                }
                 *bits = 0;
                 let mut deaths = [0, 0];
                 for (at, particle) in word.iter().enumerate() {
@@ -468,12 +478,9 @@ impl CpuBackend {
             .zip(self.alive_bits.par_chunks(CHUNK / 32))
             .for_each(|((target, source), bits)| {
                 let alive = |at: &usize| bits[at / 32] >> (at % 32) & 1 == 1;
-                let survivors = (0..source.len()).filter(alive);
-                for (place, at) in target.iter_mut().zip(survivors) {
-                    let particle = &source[at];
-                    let system = &inputs.systems[particle.slot() as usize];
-                    *place = particles::advance::advance(particle, system, &inputs.winds);
-                }
+                let survivors = (0..source.len()).filter(alive).map(|at| &source[at]);
+                let (systems, winds) = (&inputs.systems, &inputs.winds);
+                particles::advance::advance_all(survivors, target, systems, winds);
             });
         std::mem::swap(&mut self.particles, &mut self.survivors);
         let counts = &mut self.counts;

@@ -4,11 +4,29 @@ use glam::Vec3;
 
 use crate::exact::{cross3, dot3, inverse_square_root, less, shared_constants};
 use crate::layout::{WIND_ATTRACTOR, WIND_CURL, WIND_NOISE, WIND_SOURCE, WIND_VORTEX, Wind};
-use crate::noise::noise;
+use crate::noise::gradient_and_value;
 
 shared_constants! {
     const CURL_KEY: u32 = 0x9e37_79b9;
     const OCTAVE_KEY: u32 = 0x85eb_ca6b;
+}
+
+/// Places that are sampled together, so that the processor takes several in one instruction.
+pub(crate) const LANES: usize = 16;
+
+/// Vectors by their components.
+pub(crate) type Lanes = [[f32; LANES]; 3];
+
+/// The vector of a lane.
+#[inline]
+pub(crate) fn lane_of(lanes: &Lanes, lane: usize) -> Vec3 {
+    Vec3::new(lanes[0][lane], lanes[1][lane], lanes[2][lane])
+}
+
+/// Sets the vector of a lane.
+#[inline]
+pub(crate) fn set_lane(lanes: &mut Lanes, lane: usize, v: Vec3) {
+    [lanes[0][lane], lanes[1][lane], lanes[2][lane]] = v.to_array();
 }
 
 /// The gradient of `octaves` octaves of noise at the world place `p`.
@@ -23,9 +41,9 @@ fn turbulence(wind: &Wind, p: Vec3, octaves: u32, first_key: u32) -> Vec3 {
     let mut weight = 1.0f32;
     let mut sum = Vec3::ZERO;
     for _ in 0..octaves {
-        let sample = noise(at, key);
-        let folded = wind.kinds[3] == 1 && less(sample.w, 0.0);
-        sum += sample.truncate() * if folded { -weight } else { weight };
+        let (gradient, value) = gradient_and_value(at, key);
+        let folded = wind.kinds[3] == 1 && less(value, 0.0);
+        sum += gradient * if folded { -weight } else { weight };
         at *= 2.0;
         weight *= wind.scale[3];
         key = key.wrapping_add(OCTAVE_KEY);
@@ -73,4 +91,63 @@ pub fn wind_at(winds: &[Wind], p: Vec3) -> Vec3 {
     winds
         .iter()
         .fold(Vec3::ZERO, |flow, wind| flow + wind_of(wind, p))
+}
+
+/// [`turbulence`] at several places.
+fn turbulence_at_lanes(wind: &Wind, places: &Lanes, octaves: u32, first_key: u32) -> Lanes {
+    let mut at = *places;
+    for (axis, at) in at.iter_mut().enumerate() {
+        for at in at {
+            *at = *at * wind.scale[axis] + wind.offset[axis];
+        }
+    }
+    let mut key = first_key;
+    let mut weight = 1.0f32;
+    let mut sum = Lanes::default();
+    let folds = wind.kinds[3] == 1;
+    for _ in 0..octaves {
+        let mut slope = Lanes::default();
+        let mut values = [0.0; LANES];
+        for (lane, own) in values.iter_mut().enumerate() {
+            let (gradient, value) = gradient_and_value(lane_of(&at, lane), key);
+            set_lane(&mut slope, lane, gradient);
+            *own = value;
+        }
+        for (axis, sum) in sum.iter_mut().enumerate() {
+            for (lane, sum) in sum.iter_mut().enumerate() {
+                let folded = folds & less(values[lane], 0.0);
+                *sum += slope[axis][lane] * if folded { -weight } else { weight };
+                at[axis][lane] *= 2.0;
+            }
+        }
+        weight *= wind.scale[3];
+        key = key.wrapping_add(OCTAVE_KEY);
+    }
+    sum
+}
+
+/// [`wind_at`] at several places.
+pub(crate) fn wind_at_lanes(winds: &[Wind], places: &Lanes) -> Lanes {
+    let mut flow = Lanes::default();
+    for wind in winds {
+        let [kind, octaves, key, _] = wind.kinds;
+        let strength = wind.aim[3];
+        let part = if kind == WIND_NOISE {
+            let mut part = turbulence_at_lanes(wind, places, octaves, key);
+            part.as_flattened_mut()
+                .iter_mut()
+                .for_each(|x| *x *= strength);
+            part
+        } else {
+            let mut part = Lanes::default();
+            for lane in 0..LANES {
+                set_lane(&mut part, lane, wind_of(wind, lane_of(places, lane)));
+            }
+            part
+        };
+        for (flow, part) in flow.as_flattened_mut().iter_mut().zip(part.as_flattened()) {
+            *flow += part;
+        }
+    }
+    flow
 }

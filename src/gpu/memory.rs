@@ -278,6 +278,16 @@ impl Memory {
             .ok_or_else(|| BackendError::Internal(format!("no buffer `{name}`")))
     }
 
+    /// Whether it is the first stage that adds light: what is behind a planet is splatted before it.
+    pub(super) fn clears_light(&self, stage: Stage) -> bool {
+        let first = if self.has_planet {
+            Stage::Planet
+        } else {
+            Stage::Splat
+        };
+        stage == first
+    }
+
     /// Clears what a stage adds to: it is dark before the splat, and nothing covers before the shapes.
     pub(super) fn begin(&self, stage: Stage, encoder: &mut wgpu::CommandEncoder) {
         let names: &[&str] = match stage {
@@ -288,8 +298,7 @@ impl Memory {
             Stage::Shapes => &["cover_counts"],
             Stage::Block => &["crowd"],
             Stage::Catch => &["catches"],
-            Stage::Splat if self.has_planet => &[],
-            Stage::Splat | Stage::Planet => &["light_low", "light_high", "light_packed"],
+            _ if self.clears_light(stage) => &["light_low", "light_high", "light_packed"],
             _ => &[],
         };
         for buffer in names.iter().filter_map(|name| self.named.get(name)) {

@@ -108,7 +108,7 @@ impl GpuBackend {
             if begins {
                 let begin = |encoder: &mut _| self.memory.begin(stage, encoder);
                 match &mut timed {
-                    Some(timed) if stage == Stage::Splat => {
+                    Some(timed) if self.memory.clears_light(stage) => {
                         timed.between_passes("draw/clear_light", &mut encoder, begin);
                     }
                     _ => begin(&mut encoder),

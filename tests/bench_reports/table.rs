@@ -39,6 +39,30 @@ fn nothing_is_wider_than_the_terminal() {
     }
 }
 
+/// A scene that was changed in many places has a long name; the rest of its title stands.
+#[test]
+fn titles_tell_count_and_size_however_long_the_scenes_name_is() {
+    let mut record = LLVMPIPE.record(&[10_000, 100_000, 1_000_000]);
+    let scene = format!("million with {}", "image.width=640, ".repeat(12));
+    for run in &mut record.runs {
+        run.scene.clone_from(&scene);
+    }
+    let text = table(&record);
+    for words in [
+        "at 1,000,000 particles",
+        "frames after",
+        "as a line over 3 counts",
+    ] {
+        let titles = text
+            .lines()
+            .filter(|line| line.starts_with("million with image"));
+        assert!(
+            titles.into_iter().any(|line| line.contains(words)),
+            "{words}:\n{text}"
+        );
+    }
+}
+
 /// Shares and rates as whoever reads the table would work them out.
 #[test]
 fn numbers_follow_from_the_record() {

@@ -44,10 +44,11 @@ var<immediate> which: Which;
 @group(0) @binding(5) var<storage, read_write> covers: array<Cover>;
 @group(0) @binding(6) var<storage, read_write> cover_counts: array<atomic<u32>>;
 
-// The layer, from 1, that a world place is in.
+// The layer, from 1, that a world place is in. No branch and no loop asks uniforms alone, see
+// motes::sprite::next_layer.
 fn layer_of(world: vec3<f32>) -> u32 {
     var layer = 0u;
-    for (var at = 0u; at < frame.layer_plane_count; at += 1u) {
+    for (var at = 0u; (at < frame.layer_plane_count) & (layer == 0u); at += 1u) {
         let plane = layer_planes[at];
         layer = next_layer(layer, at, dot3(plane.xyz, world) - plane.w);
     }
@@ -97,7 +98,7 @@ fn cover_of(flock: FlockFrame, boid: Boid) -> Cover {
     let size = flock.cells_per_unit.w;
     let shape = flock.ties.w;
     let size_px = select(size * seen.scale, size, shape == BOID_POINT);
-    let here = !LAYERS || frame.layer == 0u || layer_of(position) == frame.layer;
+    let here = !LAYERS || ((frame.layer == 0u) | (layer_of(position) == frame.layer));
     if !here || !is_visible(frame, seen, seen, 2.0f * size_px) {
         return nothing_of();
     }

@@ -35,10 +35,11 @@ var<immediate> which: Which;
 @group(0) @binding(6) var<storage, read_write> covers: array<Cover>;
 @group(0) @binding(7) var<storage, read_write> cover_counts: array<atomic<u32>>;
 
-// The layer, from 1, that a world place is in.
+// The layer, from 1, that a world place is in. No branch and no loop asks uniforms alone, see
+// motes::sprite::next_layer.
 fn layer_of(world: vec3<f32>) -> u32 {
     var layer = 0u;
-    for (var at = 0u; at < frame.layer_plane_count; at += 1u) {
+    for (var at = 0u; (at < frame.layer_plane_count) & (layer == 0u); at += 1u) {
         let plane = layer_planes[at];
         layer = next_layer(layer, at, dot3(plane.xyz, world) - plane.w);
     }
@@ -55,7 +56,7 @@ fn segment(flock: FlockFrame, newer: vec3<f32>, older: vec3<f32>, part: f32) -> 
     let size = flock.cells_per_unit.w;
     let size_px = select(size * start.scale, size, flock.ties.w == BOID_POINT);
     let width_px = size_px * flock.trail_look.y * part;
-    let here = !LAYERS || frame.layer == 0u || layer_of(newer) == frame.layer;
+    let here = !LAYERS || ((frame.layer == 0u) | (layer_of(newer) == frame.layer));
     let stays = !less(0.0f, squared) || !less(squared, flock.trail_look.z);
     if !here || stays || !is_visible(frame, start, end, width_px) {
         return nothing_of();

@@ -58,10 +58,11 @@ var<immediate> work: Work;
 @group(0) @binding(7) var<storage, read_write> flame_bounds: array<vec4<u32>>;
 @group(0) @binding(8) var<storage, read_write> flame_skews: array<vec4<u32>>;
 
-// The layer, from 1, that a world place is in.
+// The layer, from 1, that a world place is in. No branch and no loop asks uniforms alone, see
+// motes::sprite::next_layer.
 fn layer_of(world: vec3<f32>) -> u32 {
     var layer = 0u;
-    for (var at = 0u; at < frame.layer_plane_count; at += 1u) {
+    for (var at = 0u; (at < frame.layer_plane_count) & (layer == 0u); at += 1u) {
         let plane = layer_planes[at];
         layer = next_layer(layer, at, dot3(plane.xyz, world) - plane.w);
     }
@@ -188,8 +189,8 @@ fn flame_discs_of(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let is_detail = DETAILS && work.octave > 0u;
     let scale = select(1.0f, scale_of(work.octave), is_detail);
     let brightness = bitcast<f32>(flame.look.z) * select(1.0f, fire.details.z, is_detail);
-    let here = !LAYERS || frame.layer == 0u
-        || layer_of(bitcast<vec3<f32>>(flame.root_and_fire.xyz)) == frame.layer;
+    let here = !LAYERS || ((frame.layer == 0u)
+        | (layer_of(bitcast<vec3<f32>>(flame.root_and_fire.xyz)) == frame.layer));
     let burns = here && flame.look.w == 1u && (fire.kinds.w & FIRE_STRIP) == 0u;
     let size = vec2<i32>(i32(frame.width), i32(frame.height));
     var low = size;

@@ -34,10 +34,11 @@ const LAYERS: bool = #{LAYERS};
 @group(0) @binding(8) var<storage, read_write> covers: array<Cover>;
 @group(0) @binding(9) var<storage, read_write> cover_counts: array<atomic<u32>>;
 
-// The layer, from 1, that a world place is in.
+// The layer, from 1, that a world place is in. No branch and no loop asks uniforms alone, see
+// motes::sprite::next_layer.
 fn layer_of(world: vec3<f32>) -> u32 {
     var layer = 0u;
-    for (var at = 0u; at < frame.layer_plane_count; at += 1u) {
+    for (var at = 0u; (at < frame.layer_plane_count) & (layer == 0u); at += 1u) {
         let plane = layer_planes[at];
         layer = next_layer(layer, at, dot3(plane.xyz, world) - plane.w);
     }
@@ -78,7 +79,7 @@ fn piece(from_point: SpreadPoint, to_point: SpreadPoint) -> Cover {
     let begin = project(frame, begin_at);
     let end = project(frame, end_at);
     let width_px = spread.line_shape.x * begin.scale;
-    let here = !LAYERS || frame.layer == 0u || layer_of(begin_at) == frame.layer;
+    let here = !LAYERS || ((frame.layer == 0u) | (layer_of(begin_at) == frame.layer));
     let is_faced = less(0.0f, facing(fire, from_point, begin_at)) || less(0.0f, facing(fire, to_point, end_at));
     if !here || !is_faced || !is_visible(frame, begin, end, width_px) {
         return nothing_of();

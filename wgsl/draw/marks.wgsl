@@ -39,10 +39,11 @@ var<immediate> work: Work;
 @group(0) @binding(5) var<storage, read_write> covers: array<Cover>;
 @group(0) @binding(6) var<storage, read_write> cover_counts: array<atomic<u32>>;
 
-// The layer, from 1, that a world place is in.
+// The layer, from 1, that a world place is in. No branch and no loop asks uniforms alone, see
+// motes::sprite::next_layer.
 fn layer_of(world: vec3<f32>) -> u32 {
     var layer = 0u;
-    for (var at = 0u; at < frame.layer_plane_count; at += 1u) {
+    for (var at = 0u; (at < frame.layer_plane_count) & (layer == 0u); at += 1u) {
         let plane = layer_planes[at];
         layer = next_layer(layer, at, dot3(plane.xyz, world) - plane.w);
     }
@@ -69,7 +70,7 @@ fn mark(fire: FireFrame, flame: DroppedFlame, age: u32) -> Cover {
     let above = select((frame.center_y_px - seen.y) * inverse_scale, 0.0f, is_parallel);
     let facing = -(right * across + up * above + ahead);
     let radius_px = 0.5f * fire.char_shape.x * seen.scale;
-    let here = !LAYERS || frame.layer == 0u || layer_of(world) == frame.layer;
+    let here = !LAYERS || ((frame.layer == 0u) | (layer_of(world) == frame.layer));
     if !here || less(facing, LEAST_FACING) || !is_visible(frame, seen, seen, radius_px) {
         return nothing_of();
     }

@@ -49,10 +49,11 @@ var<immediate> pages: Pages;
 @group(0) @binding(8) var<uniform> shade_box: ShadeBox;
 @group(0) @binding(9) var<storage, read> shade_light: array<u32>;
 
-// The layer, from 1, that a world place is in.
+// The layer, from 1, that a world place is in. No branch and no loop asks uniforms alone, see
+// motes::sprite::next_layer.
 fn layer_of(world: vec3<f32>) -> u32 {
     var layer = 0u;
-    for (var at = 0u; at < frame.layer_plane_count; at += 1u) {
+    for (var at = 0u; (at < frame.layer_plane_count) & (layer == 0u); at += 1u) {
         let plane = layer_planes[at];
         layer = next_layer(layer, at, dot3(plane.xyz, world) - plane.w);
     }
@@ -118,7 +119,7 @@ fn shapes(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let row = rows[row_index(slot, frame.frame - age_of(birth, frame.frame), frame.row_mask)];
     let features = Features(STREAKS, RECTANGLES, RATE_SPREADS, false);
     let sprite = sprite_of(frame, system_frames[slot], row, particle, features);
-    let here = !LAYERS || frame.layer == 0u || layer_of(sprite.world) == frame.layer;
+    let here = !LAYERS || ((frame.layer == 0u) | (layer_of(sprite.world) == frame.layer));
     let is_stroke = STROKES && row.kinds.y == PARTICLE_STROKE;
     let is_seen = (row.kinds.w & ROW_OVER) != 0u && !is_stroke && here && less(0.0f, sprite.surface.w)
         && is_visible(frame, sprite.start, sprite.end, sprite.radius_px);

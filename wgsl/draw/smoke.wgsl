@@ -64,10 +64,11 @@ fn large_wind(p: vec3<f32>) -> vec3<f32> {
     return flow;
 }
 
-// The layer, from 1, that a world place is in.
+// The layer, from 1, that a world place is in. No branch and no loop asks uniforms alone, see
+// motes::sprite::next_layer.
 fn layer_of(world: vec3<f32>) -> u32 {
     var layer = 0u;
-    for (var at = 0u; at < frame.layer_plane_count; at += 1u) {
+    for (var at = 0u; (at < frame.layer_plane_count) & (layer == 0u); at += 1u) {
         let plane = layer_planes[at];
         layer = next_layer(layer, at, dot3(plane.xyz, world) - plane.w);
     }
@@ -93,7 +94,7 @@ fn puff(fire: FireFrame, flame: DroppedFlame, age: f32) -> Cover {
     let seen = project(frame, p);
     let share = age * shape.z;
     let radius_px = 0.5f * shape.x * (1.0f + shape.y * share) * seen.scale;
-    let here = !LAYERS || frame.layer == 0u || layer_of(p) == frame.layer;
+    let here = !LAYERS || ((frame.layer == 0u) | (layer_of(p) == frame.layer));
     if !here || !is_visible(frame, seen, seen, radius_px) {
         return nothing_of();
     }

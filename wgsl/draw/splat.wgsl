@@ -122,10 +122,11 @@ fn draw(disc: Disc, radius_px: f32, color: vec3<f32>, front: u32) {
     }
 }
 
-// The layer, from 1, that a world place is in.
+// The layer, from 1, that a world place is in. No branch and no loop asks uniforms alone, see
+// motes::sprite::next_layer.
 fn layer_of(world: vec3<f32>) -> u32 {
     var layer = 0u;
-    for (var at = 0u; at < frame.layer_plane_count; at += 1u) {
+    for (var at = 0u; (at < frame.layer_plane_count) & (layer == 0u); at += 1u) {
         let plane = layer_planes[at];
         layer = next_layer(layer, at, dot3(plane.xyz, world) - plane.w);
     }
@@ -175,7 +176,7 @@ fn splat(@builtin(global_invocation_id) global_id: vec3<u32>) {
     if !is_visible(frame, sprite.start, sprite.end, sprite.radius_px) {
         return;
     }
-    if LAYERS && frame.layer != 0u && layer_of(sprite.world) != frame.layer {
+    if LAYERS && ((frame.layer != 0u) & (layer_of(sprite.world) != frame.layer)) {
         return;
     }
     if PLANET && is_beyond(sprite.world) != (pages.is_behind == 1u) {

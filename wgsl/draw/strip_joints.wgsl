@@ -34,10 +34,11 @@ var<immediate> work: Work;
 @group(0) @binding(5) var<storage, read> layer_planes: array<vec4<f32>>;
 @group(0) @binding(6) var<storage, read_write> strip_joints: array<StripJoint>;
 
-// The layer, from 1, that a world place is in.
+// The layer, from 1, that a world place is in. No branch and no loop asks uniforms alone, see
+// motes::sprite::next_layer.
 fn layer_of(world: vec3<f32>) -> u32 {
     var layer = 0u;
-    for (var at = 0u; at < frame.layer_plane_count; at += 1u) {
+    for (var at = 0u; (at < frame.layer_plane_count) & (layer == 0u); at += 1u) {
         let plane = layer_planes[at];
         layer = next_layer(layer, at, dot3(plane.xyz, world) - plane.w);
     }
@@ -58,8 +59,8 @@ fn strip_joints_of(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let slot = flame.root_and_fire.w;
     let fire = fires[slot];
     let half_width = 0.5f * bitcast<f32>(flame.look.y);
-    let here = !LAYERS || frame.layer == 0u
-        || layer_of(bitcast<vec3<f32>>(flame.root_and_fire.xyz)) == frame.layer;
+    let here = !LAYERS || ((frame.layer == 0u)
+        | (layer_of(bitcast<vec3<f32>>(flame.root_and_fire.xyz)) == frame.layer));
     let burns = here && flame.look.w == 1u && (fire.kinds.w & FIRE_STRIP) != 0u;
     var place = place_of(at, 0u);
     var seen = project(frame, place);

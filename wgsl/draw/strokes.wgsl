@@ -69,7 +69,7 @@ struct Joint {
 
 fn layer_of(world: vec3<f32>) -> u32 {
     var layer = 0u;
-    for (var at = 0u; at < frame.layer_plane_count; at += 1u) {
+    for (var at = 0u; (at < frame.layer_plane_count) & (layer == 0u); at += 1u) {
         let plane = layer_planes[at];
         layer = next_layer(layer, at, dot3(plane.xyz, world) - plane.w);
     }
@@ -148,7 +148,7 @@ fn put_pieces(stroke: Stroke, own: Way, first: u32, is_shadow: bool) -> u32 {
             let next_cut = select(cut_between(begin.at, end.at, next.at), STROKE_UNCUT, at + 1u == count);
             let frames = stroke.frames * ((f32_of_u32(at) + 0.5f) * step);
             let color = look_at(stroke, way, frames, is_shadow);
-            let here = !LAYERS || frame.layer == 0u || layer_of(place_at(way, frames)) == frame.layer;
+            let here = !LAYERS || ((frame.layer == 0u) | (layer_of(place_at(way, frames)) == frame.layer));
             let halves = vec2<f32>(begin.half_px, end.half_px);
             let is_high = stroke_light.kinds.z == 0u
                 || less(stroke_light.ground.w, dot3(stroke_light.ground.xyz, place_at(own, frames)));

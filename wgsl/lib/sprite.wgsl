@@ -71,6 +71,9 @@ fn sprite_of(
 
 // The layer, from 1, that a place is in: the first plane with the place behind it, or one past the
 // last plane; `signed_distance` is from the plane `at`, from 0.
+// Who asks goes on while there are planes and the layer is 0, both in one expression without a short
+// circuit: Mesa's software driver puts the values of uniforms that alone decide about a branch or a loop
+// into the kernel, and compiles it anew each time that it is dispatched.
 fn next_layer(layer: u32, at: u32, signed_distance: f32) -> u32 {
     let is_behind = less(signed_distance, 0.0f);
     return select(layer, at + 1u, layer == 0u && is_behind);

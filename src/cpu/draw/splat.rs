@@ -3,7 +3,7 @@
 
 use glam::{Vec2, Vec3};
 
-use crate::cpu::disc::{SMALL_REACH_PX, reach_of, small_disc};
+use crate::cpu::disc::{SMALL_REACH_PX, SmallDisc, reach_of};
 use crate::cpu::draw::planet::is_beyond;
 use crate::cpu::footprint::Footprint;
 use crate::cpu::light::{LightSums, steps_of};
@@ -11,7 +11,7 @@ use crate::cpu::particle::row_index;
 use crate::cpu::reach::{is_visible, moves};
 use crate::cpu::sprite::{Sprite, next_layer, sprite_of};
 use crate::cpu::veil::{front_of, open_share};
-use crate::exact::{dot3, less};
+use crate::exact::{dot3, is_positive, less};
 use crate::layout::{Particle, ROW_OVER, SystemRow};
 use crate::plan::FrameInputs;
 
@@ -31,7 +31,7 @@ struct Shown {
     front: u32,
 }
 
-#[inline]
+#[inline(always)]
 fn add_light(onto: Onto<'_>, x: i32, y: i32, shown: Shown, weight: f32) {
     let Shown { color, front } = shown;
     let light = onto.light;
@@ -40,10 +40,7 @@ fn add_light(onto: Onto<'_>, x: i32, y: i32, shown: Shown, weight: f32) {
         Some(nearness) => weight * open_share(*nearness, front),
         None => weight,
     };
-    let at = pixel * 3;
-    light.add(at, steps_of(color.x * weight));
-    light.add(at + 1, steps_of(color.y * weight));
-    light.add(at + 2, steps_of(color.z * weight));
+    light.add_to(pixel, (color * weight).to_array().map(steps_of));
 }
 
 /// One row of pixels across the major axis.
@@ -69,14 +66,21 @@ fn draw_row(onto: Onto<'_>, shape: &Footprint, major: i32, shown: Shown) {
 
 /// A small disc at rest.
 fn draw_small_disc(onto: Onto<'_>, sprite: &Sprite, shown: Shown) {
-    let center = Vec2::new(sprite.start.x, sprite.start.y);
+    let disc = SmallDisc::new(Vec2::new(sprite.start.x, sprite.start.y), sprite.radius_px);
     let (width, height) = (onto.light.width as i32, onto.light.height as i32);
-    small_disc(center, sprite.radius_px, |at, weight| {
-        let inside = (0..width).contains(&at.x) && (0..height).contains(&at.y);
-        if inside && less(0.0, weight) {
-            add_light(onto, at.x, at.y, shown, weight);
+    for column in 0..disc.columns {
+        let x = disc.first.x + column as i32;
+        if !(0..width).contains(&x) {
+            continue;
         }
-    });
+        for line in 0..disc.lines {
+            let y = disc.first.y + line as i32;
+            let weight = disc.weight(column, line);
+            if (0..height).contains(&y) && is_positive(weight) {
+                add_light(onto, x, y, shown, weight);
+            }
+        }
+    }
 }
 
 /// The layer, from 1, that a world place is in.
