@@ -7,12 +7,26 @@ use std::time::Duration;
 use egui::{Color32, RichText, Ui};
 
 use super::detail::Detail;
-use super::knobs::{Turned, knob};
+use super::knobs::{Touched, Turned, knob};
 use super::orbit::Orbit;
 use super::session::{Session, Told};
+use crate::scene::Knob;
 
 /// Frames between two counts of what lives: they wait for the device.
 const COUNT_STEPS: u32 = 15;
+
+/// The knobs that a fire is played with before all others, and what they are called in the window (Perry
+/// 1994, Table 3.1).
+const OF_FIRES: [(&str, &str); 8] = [
+    ("spread.time_scale", "time scale K"),
+    ("spread.drop_distance", "drop distance d_d"),
+    ("spread.separation", "separation d_s"),
+    ("inverse_cohesion", "inverse cohesion k_p"),
+    ("noisiness", "noisiness C"),
+    ("sampling", "sampling k_s"),
+    ("spread.curvature_distance", "curvature distance d_t"),
+    ("lifetime", "lifetime l_f"),
+];
 
 /// The window's state.
 pub struct App {
@@ -25,10 +39,38 @@ pub struct App {
     /// Whether the picture is older than what it is to show.
     pub is_stale: bool,
     filter: String,
+    frame_slot: Slot,
+    seed_slot: Slot,
     save_path: String,
     counts: String,
     counted_at: Option<u32>,
     adapter: String,
+}
+
+/// A number that somebody writes or drags, which counts when they are done with it.
+#[derive(Default)]
+struct Slot {
+    /// The number when they began, and now.
+    draft: Option<[u64; 2]>,
+}
+
+impl Slot {
+    /// Shows the number; the other one that somebody wants instead.
+    fn show(&mut self, ui: &mut Ui, now: u64, prefix: &str, most: u64) -> Option<u64> {
+        let [begun, mut value] = self.draft.unwrap_or([now; 2]);
+        let slot = egui::DragValue::new(&mut value)
+            .prefix(prefix)
+            .range(0..=most)
+            .update_while_editing(false);
+        let response = ui.add(slot);
+        if response.drag_stopped() || response.lost_focus() {
+            self.draft = None;
+            return (value != begun).then_some(value);
+        }
+        let is_held = response.dragged() || response.has_focus();
+        self.draft = is_held.then_some([begun, value]);
+        None
+    }
 }
 
 impl App {
@@ -42,6 +84,8 @@ impl App {
             picture: None,
             is_stale: true,
             filter: String::new(),
+            frame_slot: Slot::default(),
+            seed_slot: Slot::default(),
             save_path,
             counts: String::new(),
             counted_at: None,
@@ -193,25 +237,15 @@ impl App {
             if ui.button("Restart").on_hover_text("home").clicked() {
                 self.restart(0);
             }
-            let mut frame = self.session.frame();
-            let slot = egui::DragValue::new(&mut frame)
-                .prefix("frame ")
-                .range(0..=1_000_000);
-            if ui.add(slot).lost_focus() && frame != self.session.frame() {
+            let frame = self.session.frame().into();
+            let wanted = self.frame_slot.show(ui, frame, "frame ", 1_000_000);
+            if let Some(frame) = wanted.and_then(|frame| u32::try_from(frame).ok()) {
                 self.restart(frame);
             }
             let speed = egui::Slider::new(&mut self.session.speed, 0.1..=4.0);
             ui.add(speed.logarithmic(true).text("speed"));
-            let mut seed = self.session.scene().seed;
-            if ui
-                .add(
-                    egui::DragValue::new(&mut seed)
-                        .prefix("seed ")
-                        .range(0..=i64::MAX as u64),
-                )
-                .lost_focus()
-                && seed != self.session.scene().seed
-            {
+            let seed = self.session.scene().seed;
+            if let Some(seed) = self.seed_slot.show(ui, seed, "seed ", i64::MAX as u64) {
                 let outcome = self.session.reseed(seed);
                 self.counted_at = None;
                 self.did(outcome, |()| None);
@@ -226,6 +260,11 @@ impl App {
             }
         });
         if let Some(hint) = self.session.touch_hint() {
+            ui.label(RichText::new(hint).weak());
+        }
+        let upcoming = self.session.upcoming();
+        if upcoming > 0 {
+            let hint = format!("{upcoming} changes are to come, unless something is turned before");
             ui.label(RichText::new(hint).weak());
         }
         if let Some((text, is_error)) = &self.message {
@@ -299,21 +338,40 @@ impl App {
     }
 
     fn knobs(&mut self, ui: &mut Ui) {
-        let mut turned: Option<Turned> = None;
+        let mut touched = Touched::default();
+        let mut is_passed_on = false;
         let all = self.session.knobs();
-        let mut first = 0;
-        while first < all.len() {
-            let group = group_of(&all[first].path);
-            let count = all[first..]
-                .iter()
-                .take_while(|it| group_of(&it.path) == group)
-                .count();
-            let own = &all[first..first + count];
-            let shown: Vec<_> = own
-                .iter()
-                .filter(|it| it.path.contains(&self.filter))
-                .collect();
-            first += count;
+        let mut show = |ui: &mut Ui, one: &Knob, label: &str| {
+            let done = knob(ui, one, label, &self.start_of(one));
+            is_passed_on |= done.is_taken && !done.is_let_go;
+            touched.is_taken |= done.is_taken;
+            touched.is_let_go |= done.is_let_go;
+            touched.turned = touched.turned.take().or(done.turned);
+        };
+        let is_found = |one: &&Knob| one.path.contains(&self.filter);
+        for fire in &self.session.scene().fires {
+            let of = |(key, label)| {
+                let path = format!("fire.{}.{key}", fire.name);
+                let own = all.iter().find(|one| one.path == path);
+                own.filter(is_found).map(|one| (one, label))
+            };
+            let shown: Vec<_> = OF_FIRES.into_iter().filter_map(of).collect();
+            if shown.is_empty() {
+                continue;
+            }
+            egui::CollapsingHeader::new(format!("how {} burns", fire.name))
+                .id_salt(("how it burns", &fire.name))
+                .default_open(true)
+                .show(ui, |ui| {
+                    for (one, label) in shown {
+                        show(ui, one, label);
+                    }
+                });
+        }
+        let rest: Vec<&Knob> = all.iter().filter(|one| !is_first(&one.path)).collect();
+        for own in rest.chunk_by(|a, b| group_of(&a.path) == group_of(&b.path)) {
+            let group = group_of(&own[0].path);
+            let shown: Vec<&Knob> = own.iter().copied().filter(is_found).collect();
             if shown.is_empty() {
                 continue;
             }
@@ -323,14 +381,14 @@ impl App {
                 .open((!self.filter.is_empty()).then_some(true))
                 .show(ui, |ui| {
                     for one in shown {
-                        let label = one.path[group.len()..].trim_start_matches('.');
-                        if let Some(by_hand) = knob(ui, one, label) {
-                            turned = Some(by_hand);
-                        }
+                        show(ui, one, one.path[group.len()..].trim_start_matches('.'));
                     }
                 });
         }
-        match turned {
+        if touched.is_taken {
+            self.session.take_hold();
+        }
+        match touched.turned {
             Some(Turned::To(path, value)) => {
                 let outcome = self.session.turn(&path, &value);
                 self.did(outcome, |()| None);
@@ -341,6 +399,25 @@ impl App {
             }
             None => {}
         }
+        // Whoever lets go of one to take hold of another in the same pass holds that.
+        if touched.is_let_go && !is_passed_on {
+            self.session.let_go();
+        }
+    }
+
+    /// What a knob that nothing holds for begins with: what the scene computes in its place, if it does.
+    fn start_of(&self, knob: &Knob) -> String {
+        let computed = self.session.in_force(&knob.path);
+        computed.unwrap_or_else(|| match knob.field.key {
+            // It ends with the scene, not at once.
+            "end_frame" => self
+                .session
+                .scene()
+                .frames
+                .max(self.session.frame() + 1)
+                .to_string(),
+            _ => knob.field.sample().to_owned(),
+        })
     }
 
     /// Times of the last frames as bars, and the slowest kernels of the last one.
@@ -389,6 +466,7 @@ impl App {
             && (response.clicked() || is_away)
         {
             let at = (at - area.min) / scale;
+            self.session.let_go();
             let outcome = self.session.touch([at.x, at.y], is_away);
             self.did(outcome, |done| done);
         }
@@ -406,6 +484,12 @@ impl App {
         }
         self.is_stale |= before != self.session.orbit;
     }
+}
+
+/// Whether the knob stands among those of a fire that come first.
+fn is_first(path: &str) -> bool {
+    let key = path.strip_prefix("fire.").and_then(|it| it.split_once('.'));
+    key.is_some_and(|(_, key)| OF_FIRES.iter().any(|(of, _)| *of == key))
 }
 
 /// The part of a path that names what it is a key of: a table, and the table in an array.

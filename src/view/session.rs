@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 
 use super::detail::{Detail, hangs_on_pixels};
 use super::error::WindowError;
+use super::knobs::is_fixed;
 use super::orbit::Orbit;
 use super::pace::Pace;
 use super::source::{Source, frame_end, lives_for_ever, told};
@@ -29,6 +30,7 @@ pub struct Session {
     knobs: Vec<Knob>,
     recording: Recording,
     undone: Vec<Undo>,
+    gesture: Gesture,
     /// One past the last frame that there are places for, where something lives for ever.
     frame_end: u32,
     /// Whether frames follow each other by themselves.
@@ -48,10 +50,24 @@ pub struct Session {
     pub pace: Pace,
 }
 
-/// How a knob stood before it was turned.
+/// What one gesture did, and how what it turned stood before.
 struct Undo {
-    path: String,
-    before: KnobValue,
+    /// The first frame that it holds for.
+    frame: u32,
+    /// Paths of knobs, and their values before, in the order that they were turned in.
+    before: Vec<(String, KnobValue)>,
+    /// The frame from which on it is undone.
+    undone_from: Option<u32>,
+}
+
+/// Whether somebody holds something now: all that they do until they let go is undone in one go.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Gesture {
+    None,
+    /// Nothing has been done since it began.
+    Begun,
+    /// What is done belongs to the last [`Undo`].
+    Noted,
 }
 
 impl Session {
@@ -76,6 +92,7 @@ impl Session {
             history: Vec::new(),
             pace: Pace::default(),
             undone: Vec::new(),
+            gesture: Gesture::None,
             source,
             simulation,
             scene,
@@ -155,9 +172,31 @@ impl Session {
             }
             self.simulation.step().map_err(told)?;
             self.note_kernels();
+            self.follow()?;
         }
         self.note_times(begun, count);
         self.keep_up()
+    }
+
+    /// Where a run that was begun again comes to what was done before, that holds for the next frame on.
+    fn follow(&mut self) -> Result<(), Told> {
+        let next = self.next_frame();
+        let mut latest = self.recording.changes.iter().rev();
+        let is_due = latest
+            .find(|change| change.frame <= next)
+            .is_some_and(|change| change.frame == next);
+        if is_due {
+            let sets = self.sets(next);
+            (self.scene, self.knobs) = (self.source.load(&sets)?, self.source.knobs(&sets)?);
+        }
+        Ok(())
+    }
+
+    /// How many changes are to come, of a run that was begun again before they were made.
+    pub fn upcoming(&self) -> usize {
+        let next = self.next_frame();
+        let changes = self.recording.changes.iter();
+        changes.filter(|change| change.frame > next).count()
     }
 
     /// How much is drawn.
@@ -199,18 +238,22 @@ impl Session {
 
     /// Goes on from where it is with what the source says now.
     fn resume(&mut self) -> Result<(), Told> {
+        let scene = self.source.load(&self.sets(self.next_frame()))?;
+        let simulation = self.resumed(&self.recording.clone())?;
+        (self.simulation, self.scene) = (simulation, scene);
+        Ok(())
+    }
+
+    /// A run with these changes that stands where this one stands; up to there they are the same.
+    fn resumed(&mut self, done: &Recording) -> Result<Simulation, Told> {
         let snapshot = self.simulation.snapshot().map_err(told)?;
-        let sets = self.sets();
-        let (begun, scene) = (self.source.load(&[])?, self.source.load(&sets)?);
-        let mut simulation = self
-            .source
-            .prepare(&begun, &self.recording, self.frame_end)?;
+        let begun = self.source.load(&[])?;
+        let mut simulation = self.source.prepare(&begun, done, self.frame_end)?;
         match snapshot {
             Some(snapshot) => simulation.restore(&snapshot).map_err(told)?,
             None => simulation.seek(0).map_err(told)?,
         }
-        (self.simulation, self.scene) = (simulation, scene);
-        Ok(())
+        Ok(simulation)
     }
 
     /// Gives up detail if frames take too long, and takes it back when there is time enough.
@@ -244,39 +287,110 @@ impl Session {
         self.history.drain(..surplus);
     }
 
-    /// Turns a knob from the next frame on.
+    /// Somebody takes hold of something: all that is done until [`Session::let_go`] is undone in one go.
+    pub fn take_hold(&mut self) {
+        self.gesture = Gesture::Begun;
+    }
+
+    /// What was held is let go.
+    pub fn let_go(&mut self) {
+        self.gesture = Gesture::None;
+    }
+
+    /// Turns a knob from the next frame on; what was to come of a run that was begun again is dropped.
     ///
     /// # Errors
     /// The scene does not take the value, or it holds for a whole run.
     pub fn turn(&mut self, path: &str, value: &str) -> Result<(), Told> {
-        let before = self.knobs.iter().find(|knob| knob.path == path);
-        let before = before.map_or(KnobValue::None, |knob| knob.value.clone());
+        let before = self.value_of(path);
         self.change(path, value)?;
-        match self.undone.last() {
-            // A knob that is held is undone in one go.
-            Some(last) if last.path == path && self.frame() > 0 && self.is_held(path) => {}
-            _ => self.undone.push(Undo {
-                path: path.to_owned(),
-                before,
-            }),
-        }
+        self.note(vec![(path.to_owned(), before)]);
         Ok(())
     }
 
-    /// Whether the change before the last was of the same knob, a frame ago at most.
-    fn is_held(&self, path: &str) -> bool {
-        let of = |change: &&Change| change.key() == path;
-        let mut own = self.recording.changes.iter().rev().filter(of);
-        match (own.next(), own.next()) {
-            (Some(last), Some(before)) => last.frame - before.frame <= 1,
-            _ => false,
+    /// The value that brings back what is now.
+    fn value_of(&self, path: &str) -> KnobValue {
+        let knob = self.knobs.iter().find(|knob| knob.path == path);
+        match knob.map_or(KnobValue::None, |knob| knob.value.clone()) {
+            KnobValue::None => self
+                .in_force(path)
+                .map_or(KnobValue::None, KnobValue::Default),
+            value => value,
         }
+    }
+
+    /// What holds of a key that the scene leaves out and that is computed then, in TOML; `None` where
+    /// nothing of that kind does.
+    pub fn in_force(&self, path: &str) -> Option<String> {
+        let (name, key) = path.strip_prefix("fire.")?.split_once(".spread.")?;
+        let fire = self.scene.fires.iter().find(|fire| fire.name == name)?;
+        let spread = fire.spread.as_ref()?;
+        let value = match key {
+            "drop_distance" => spread.drop_distance,
+            "separation" => spread.separation,
+            "curvature_distance" => spread.curvature_distance,
+            _ => return None,
+        };
+        Some(format!("{value:?}"))
+    }
+
+    /// Whether a key holds for a whole run, whatever its value, and is no knob of one under way.
+    pub fn is_fixed(&self, path: &str) -> bool {
+        is_fixed(path)
+    }
+
+    /// Notes what was done, with the values before.
+    fn note(&mut self, before: Vec<(String, KnobValue)>) {
+        let frame = self.next_frame();
+        if let (Gesture::Noted, Some(last)) = (self.gesture, self.undone.last_mut()) {
+            for one in before {
+                if last.before.iter().all(|(path, _)| *path != one.0) {
+                    last.before.push(one);
+                }
+            }
+            return;
+        }
+        self.undone.push(Undo {
+            frame,
+            before,
+            undone_from: None,
+        });
+        if self.gesture == Gesture::Begun {
+            self.gesture = Gesture::Noted;
+        }
+    }
+
+    /// Makes several changes or, where one is refused, none.
+    fn change_all(&mut self, all: &[(String, String)]) -> Result<(), Told> {
+        let (scene, knobs) = (self.scene.clone(), self.knobs.clone());
+        let recording = self.recording.clone();
+        for (at, (path, value)) in all.iter().enumerate() {
+            if let Err(refused) = self.change(path, value) {
+                if at > 0 {
+                    self.simulation.turn(scene.clone()).map_err(told)?;
+                    (self.scene, self.knobs) = (scene, knobs);
+                    // What was to come is gone with the first of them.
+                    let next = self.next_frame();
+                    self.recording = recording;
+                    let changes = &mut self.recording.changes;
+                    changes.retain(|change| change.frame <= next);
+                }
+                return Err(refused);
+            }
+        }
+        Ok(())
     }
 
     fn change(&mut self, path: &str, value: &str) -> Result<(), Told> {
         let set = format!("{path}={value}");
         let frame = self.next_frame();
         let mut changes = self.recording.changes.clone();
+        // Whoever goes back and does something else does not want what came after.
+        changes.retain(|change| change.frame <= frame);
+        let drops = changes.len() < self.recording.changes.len();
+        let kept = drops.then(|| Recording {
+            changes: changes.clone(),
+        });
         // Of a knob that is held, the last value in a frame counts. No other change of the frame is left
         // out or moved: each is refused or not by those before it, here and where it is replayed.
         changes.pop_if(|last| last.frame == frame && last.key() == path);
@@ -290,7 +404,18 @@ impl Session {
                     .into(),
             );
         }
-        self.simulation.turn(scene.clone()).map_err(told)?;
+        let anew = kept.map(|kept| self.resumed(&kept)).transpose()?;
+        match anew {
+            Some(mut anew) => {
+                anew.turn(scene.clone()).map_err(told)?;
+                self.simulation = anew;
+                self.undone.retain(|undo| undo.frame <= frame);
+                for undo in &mut self.undone {
+                    undo.undone_from = undo.undone_from.filter(|from| *from <= frame);
+                }
+            }
+            None => self.simulation.turn(scene.clone()).map_err(told)?,
+        }
         changes.push(Change {
             frame,
             set,
@@ -329,16 +454,23 @@ impl Session {
         let Some(ray) = self.simulation.ray_through(at_px) else {
             return Ok(None);
         };
-        let mut done = None;
-        for at in 0..self.scene.flocks.len() {
-            let Some(place) = place_for(&self.scene.flocks[at], &ray) else {
+        let (mut done, mut all, mut before) = (None, Vec::new(), Vec::new());
+        for flock in &self.scene.flocks {
+            let Some(place) = place_for(flock, &ray) else {
                 continue;
             };
             let weight = if away { -1.0 } else { 1.0 };
-            self.steer(at, place, weight)?;
+            let path = format!("flock.{}.goal", flock.name);
+            let [known, new] = goals(flock, place, weight);
+            all.push((path.clone(), new));
+            before.push((path, KnobValue::Written(known)));
             let [x, y, z] = place;
             let way = if away { "away from" } else { "to" };
             done = Some(format!("boids steer {way} {x:.2}, {y:.2}, {z:.2}"));
+        }
+        self.change_all(&all)?;
+        if !before.is_empty() {
+            self.note(before);
         }
         Ok(done)
     }
@@ -364,39 +496,8 @@ impl Session {
         let listed = |all: &[String]| format!("[{}]", all.join(", "));
         let before = KnobValue::Written(listed(&all[..all.len() - 1]));
         self.change(&path, &listed(&all))?;
-        self.undone.push(Undo { path, before });
+        self.note(vec![(path, before)]);
         Ok(done)
-    }
-
-    /// Gives a flock a goal, or moves the one that it has.
-    fn steer(&mut self, flock: usize, position: [f32; 3], weight: f32) -> Result<(), Told> {
-        let flock = &self.scene.flocks[flock];
-        let text = |goal: &Goal| {
-            format!(
-                "{{ position = {:?}, weight = {:?}, speed = {:?}, limit = {:?}, slowing_radius = {:?} }}",
-                goal.position, goal.weight, goal.speed, goal.limit, goal.slowing_radius
-            )
-        };
-        // A goal of no weight is as none.
-        let before = flock.goal.unwrap_or(Goal {
-            position,
-            weight: 0.0,
-            speed: 2.0 * flock.max_speed,
-            limit: CALLED_LIMIT * flock.max_speed,
-            slowing_radius: 0.0,
-        });
-        let now = Goal {
-            position,
-            weight,
-            ..before
-        };
-        let path = format!("flock.{}.goal", flock.name);
-        self.change(&path, &text(&now))?;
-        self.undone.push(Undo {
-            path,
-            before: KnobValue::Written(text(&before)),
-        });
-        Ok(())
     }
 
     /// The next frame to be stepped, from 0.
@@ -404,22 +505,46 @@ impl Session {
         self.simulation.frame().map_or(0, |frame| frame + 1)
     }
 
-    /// Puts the knob that was turned last back to what it was, from the next frame on; whether there
-    /// was one.
+    /// Puts what was done last back to what it was, from the next frame on; whether there was anything.
     ///
     /// # Errors
-    /// It had no value before: no value brings that back.
+    /// It cannot be put back, for that value is refused now or there was none; it is passed over, and what
+    /// was done before it is the last.
     pub fn undo(&mut self) -> Result<bool, Told> {
-        let Some(Undo { path, before }) = self.undone.last() else {
+        if self.gesture == Gesture::Noted {
+            self.gesture = Gesture::Begun;
+        }
+        let next = self.next_frame();
+        let is_in_force = |undo: &Undo| {
+            let is_undone = undo.undone_from.is_some_and(|from| from <= next);
+            undo.frame <= next && !is_undone
+        };
+        let Some(at) = self.undone.iter().rposition(is_in_force) else {
             return Ok(false);
         };
-        let (path, before) = (path.clone(), before.clone());
-        match before {
-            KnobValue::Written(value) | KnobValue::Default(value) => self.change(&path, &value)?,
-            KnobValue::None => return Err(format!("`{path}` had no value to go back to")),
+        let values = self.undone[at].before.iter().rev();
+        let values: Result<Vec<_>, Told> = values
+            .map(|(path, before)| match before {
+                KnobValue::Written(value) | KnobValue::Default(value) => {
+                    Ok((path.clone(), value.clone()))
+                }
+                KnobValue::None => Err(format!("`{path}` had no value to go back to")),
+            })
+            .collect();
+        match values.and_then(|values| self.change_all(&values)) {
+            Ok(()) => {
+                // Of those up to this frame none is dropped by a change.
+                self.undone[at].undone_from = Some(next);
+                Ok(true)
+            }
+            Err(refused) => {
+                self.undone.remove(at);
+                let refused = refused.trim_start_matches("error: ");
+                Err(format!(
+                    "error: this cannot be undone, and undo goes on before it: {refused}"
+                ))
+            }
         }
-        self.undone.pop();
-        Ok(true)
     }
 
     /// Puts a knob to the value that holds where a scene says nothing.
@@ -434,19 +559,18 @@ impl Session {
         }
     }
 
-    /// Begins again and goes to a frame at once, with what has been done up to it.
+    /// Begins again and goes to a frame at once, with what has been done up to it. What was done later is
+    /// done again as the run comes to its frames, unless something else is done before.
     ///
     /// # Errors
     /// The machine.
     pub fn restart(&mut self, frame: u32) -> Result<(), Told> {
-        let mut recording = self.recording.clone();
-        recording.changes.retain(|change| change.frame <= frame);
-        self.begin_again(recording, frame)?;
-        self.undone.clear();
+        self.begin_again(self.recording.clone(), frame)?;
+        self.gesture = Gesture::None;
         Ok(())
     }
 
-    /// Begins again with other random decisions, and without what has been done after frame 0.
+    /// Begins again with other random decisions; what has been done is done again, each at its frame.
     ///
     /// # Errors
     /// The machine.
@@ -486,8 +610,8 @@ impl Session {
     /// Begins the scene as its file is now, with what the recording says, and goes to a frame; an
     /// error leaves all as it was.
     fn begin_again(&mut self, recording: Recording, frame: u32) -> Result<(), Told> {
-        let sets = recording.changes.iter().map(|change| change.set.clone());
-        let sets: Vec<String> = sets.collect();
+        // Frame 0 has been stepped when it begins.
+        let sets = sets_of(&recording, frame.saturating_add(1));
         let (begun, scene) = (self.source.load(&[])?, self.source.load(&sets)?);
         let knobs = self.source.knobs(&sets)?;
         self.simulation = self.source.begin(&begun, &recording, frame)?;
@@ -496,10 +620,9 @@ impl Session {
         Ok(())
     }
 
-    /// What was done, as `--set` has it.
-    fn sets(&self) -> Vec<String> {
-        let changes = self.recording.changes.iter();
-        changes.map(|change| change.set.clone()).collect()
+    /// What was done that holds at a frame, as `--set` has it.
+    fn sets(&self, frame: u32) -> Vec<String> {
+        sets_of(&self.recording, frame)
     }
 
     /// Writes the scene to `path`, its meshes to where it looks for them from there, and what has been done
@@ -581,6 +704,36 @@ impl Session {
         .map_err(told)?;
         self.simulation.image_into(texture).map_err(told)
     }
+}
+
+/// What was done that holds at a frame, as `--set` has it.
+fn sets_of(recording: &Recording, frame: u32) -> Vec<String> {
+    let changes = recording.changes.iter();
+    let until = changes.take_while(|change| change.frame <= frame);
+    until.map(|change| change.set.clone()).collect()
+}
+
+/// The goal that a flock has, and one at a place, in TOML.
+fn goals(flock: &Flock, position: [f32; 3], weight: f32) -> [String; 2] {
+    // A goal of no weight is as none.
+    let before = flock.goal.unwrap_or(Goal {
+        position,
+        weight: 0.0,
+        speed: 2.0 * flock.max_speed,
+        limit: CALLED_LIMIT * flock.max_speed,
+        slowing_radius: 0.0,
+    });
+    let now = Goal {
+        position,
+        weight,
+        ..before
+    };
+    [before, now].map(|goal| {
+        format!(
+            "{{ position = {:?}, weight = {:?}, speed = {:?}, limit = {:?}, slowing_radius = {:?} }}",
+            goal.position, goal.weight, goal.speed, goal.limit, goal.slowing_radius
+        )
+    })
 }
 
 /// Where a ray meets the plane that a flock lives in; for one in space, that of the middle of where it

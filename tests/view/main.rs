@@ -8,6 +8,7 @@ mod detail;
 mod files;
 mod table;
 mod touch;
+mod widgets;
 
 use std::path::Path;
 use std::process::{Command, Output};
@@ -173,8 +174,12 @@ fn a_run_that_is_begun_again_has_what_was_done_up_to_there() {
     session.restart(frame).expect("it begins");
     assert_eq!((session.frame(), digest(&mut session)), (frame, before));
     session.restart(2).expect("it begins");
-    assert!(session.recording().changes.is_empty());
+    assert_eq!(session.upcoming(), 1);
     assert_eq!(session.scene().systems[0].births.initial_mean_parts, 30.0);
+    steps(&mut session, frame - 2);
+    assert_eq!(session.upcoming(), 0);
+    assert_eq!(session.scene().systems[0].births.initial_mean_parts, 70.0);
+    assert_eq!((session.frame(), digest(&mut session)), (frame, before));
 }
 
 #[test]
