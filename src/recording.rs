@@ -263,7 +263,7 @@ impl Recording {
 }
 
 /// A key that no frame is made of, and that is not as it was.
-fn without_effect(unchanged: &Scene, turned: &Scene) -> Option<&'static str> {
+pub(crate) fn without_effect(unchanged: &Scene, turned: &Scene) -> Option<&'static str> {
     let keys = [
         ("title", unchanged.title != turned.title),
         ("description", unchanged.description != turned.description),

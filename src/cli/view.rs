@@ -1,6 +1,6 @@
 //! `motes view`: a scene in a window, to play with.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::names::SceneName;
 use super::render::parse_size;
@@ -58,6 +58,16 @@ pub(super) fn run(args: &ViewArgs) -> Result<u8, CliError> {
             "a window is drawn by an adapter, and `cpu` is none",
             "--adapter auto, or part of a name that `motes adapters` lists, e.g. llvmpipe; \
              `motes render` draws on the processor",
+        ));
+    }
+    let path = Path::new(&args.scene);
+    if path
+        .metadata()
+        .is_ok_and(|it| !it.is_file() && !it.is_dir())
+    {
+        return Err(CliError::usage(
+            format!("{} is a pipe or a device", args.scene),
+            "a window reads its scene again when it is written: give it a file",
         ));
     }
     // What is wrong with the scene is told before any window opens.

@@ -92,6 +92,10 @@ fn judge(kind: ErrorKind) -> (bool, &'static str) {
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded | ErrorKind::FileTooLarge => {
             (false, NO_ROOM)
         }
+        ErrorKind::OutOfMemory => (
+            false,
+            "there is no memory left for it: a smaller picture, or a folder of pictures, takes less",
+        ),
         _ => (false, "choose another place to write to"),
     }
 }

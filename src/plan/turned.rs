@@ -126,8 +126,8 @@ impl Plan {
         if self.uses.and(plan.uses) != self.uses || plan.row_count > self.row_count {
             return refuse(
                 "uses what the run was begun without".into(),
-                "begin a run with it set, or as one that may be edited: lifetimes may then grow twofold, and fires \
-                 have up to 32 lights",
+                "begin the run as one that may be edited (lifetimes may then grow twofold, and fires have up to 32 \
+                 lights), or with this set",
             );
         }
         if plan.relation_count > self.relation_count

@@ -2,8 +2,9 @@
 //! noted, so that nobody writes over it, and all together of bounded size.
 
 use std::cell::{Cell, RefCell};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs::File;
+use std::hash::{DefaultHasher, Hasher as _};
 use std::io::{ErrorKind, Read as _};
 use std::path::{Component, Path, PathBuf};
 
@@ -40,6 +41,10 @@ pub(super) struct Files {
     opened: RefCell<Vec<(&'static str, PathBuf)>>,
     /// Those of the program that were read, by their places in [`BUILTIN_FILES`].
     carried: RefCell<BTreeSet<usize>>,
+    /// Of those of the disk, digests of what was read.
+    digests: RefCell<BTreeMap<PathBuf, u64>>,
+    /// Those that the scene names by a path from the root.
+    absolute: RefCell<BTreeSet<PathBuf>>,
     /// Bytes that may still be read.
     left: Cell<u64>,
     pub(super) meshes: RefCell<Meshes>,
@@ -64,6 +69,8 @@ impl Files {
             allow_outside,
             opened: RefCell::default(),
             carried: RefCell::default(),
+            digests: RefCell::default(),
+            absolute: RefCell::default(),
             left: Cell::new(MOST_BYTES),
             meshes: RefCell::default(),
         }
@@ -77,29 +84,36 @@ impl Files {
 
     /// Files that the scene's text needs beside it wherever it is written to, by their places relative
     /// to it, with their bytes: those that the program carries, and those in the scene's own folder.
+    ///
+    /// # Errors
+    /// One of them is not what was read any more, or lies elsewhere; which.
     #[cfg(feature = "view")]
-    pub(super) fn companions(&self) -> std::io::Result<Vec<(PathBuf, Vec<u8>)>> {
+    pub(super) fn companions(&self) -> Result<Vec<(PathBuf, Vec<u8>)>, String> {
         let carried = self.carried.borrow();
         let carried = carried.iter().map(|at| {
             let (name, bytes) = BUILTIN_FILES[*at];
             (PathBuf::from(name), bytes.to_vec())
         });
         let mut companions: Vec<_> = carried.collect();
-        let Home::Folder(folder) = &self.home else {
-            return Ok(companions);
+        let home = match self.folder() {
+            folder if folder.as_os_str().is_empty() => Path::new("."),
+            folder => folder,
         };
-        let home = match folder.as_os_str().is_empty() {
-            true => Path::new(".").canonicalize()?,
-            false => folder.canonicalize()?,
-        };
-        // The first is the scene itself.
-        for (_, place) in self.opened.borrow().iter().skip(1) {
-            if let Ok(within) = place.strip_prefix(&home) {
-                companions.push((within.to_owned(), std::fs::read(place)?));
+        let home = home.canonicalize().unwrap_or_default();
+        for (place, digest) in self.digests.borrow().iter() {
+            let told = |what: &str| format!("{}: {what}", place.display());
+            if self.absolute.borrow().contains(place) {
+                continue;
             }
+            let name = place.strip_prefix(&home).map_err(|_| {
+                told("it lies outside of the scene's folder, and only the scene there finds it")
+            })?;
+            let bytes = std::fs::read(place).map_err(|error| told(&error.to_string()))?;
+            if digest_of(&bytes) != *digest {
+                return Err(told("it has been written since the scene was read"));
+            }
+            companions.push((name.to_owned(), bytes));
         }
-        companions.sort();
-        companions.dedup();
         Ok(companions)
     }
 
@@ -141,6 +155,9 @@ impl Files {
         if !self.allow_outside && !self.is_inside(&place) {
             return Err(outside("a link leads out of the scene's folder"));
         }
+        if Path::new(path).is_absolute() {
+            self.absolute.borrow_mut().insert(place.clone());
+        }
         Ok(Found::OnDisk(place))
     }
 
@@ -173,6 +190,8 @@ impl Files {
                 format!("the files that the scene names are larger than {most} MiB together");
             MeshError::new(what, "fewer or smaller meshes")
         })?);
+        let mut digests = self.digests.borrow_mut();
+        digests.insert(place.clone(), digest_of(&bytes));
         Ok(bytes)
     }
 
@@ -258,6 +277,12 @@ impl Files {
             format!("did you mean `{}`? ", path.display())
         })
     }
+}
+
+fn digest_of(bytes: &[u8]) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    hasher.write(bytes);
+    hasher.finish()
 }
 
 /// The folder of a scene's file; empty for the current one.

@@ -56,15 +56,6 @@ impl Loader {
         Draft::new(text, file, name, Files::beside(file, self.allow_outside))?.scene()
     }
 
-    /// The text of a scene as [`Loader::load`] takes it.
-    ///
-    /// # Errors
-    /// If there is no such scene or file, or it cannot be read.
-    #[cfg(feature = "view")]
-    pub(crate) fn text(&self, name_or_path: &str) -> Result<String, SceneError> {
-        text_of(name_or_path).map(|scene| scene.text.into_owned())
-    }
-
     /// Every number, flag and choice of a scene that can be set by itself, in the order of the
     /// [`schema`](super::schema), of a scene as [`Loader::load`] takes it.
     ///

@@ -1,8 +1,8 @@
 //! A script in place of a person: what is done at which pass of the window, without a window. For
 //! tests, and for pictures of it.
 //!
-//! A line is `PASS ACTION …`, passes in order; `#` begins a comment. A pass lasts as long as a frame
-//! of the scene.
+//! A line is `PASS ACTION …`, passes in order; `#` begins a comment, at the beginning of a line or after a
+//! blank. A pass lasts as long as a frame of the scene.
 //!
 //! ```text
 //! 0 turn system.jet.drag=0.1    a knob, as --set has it
@@ -28,6 +28,9 @@ use super::error::WindowError;
 use super::session::Told;
 use super::stage::Stage;
 use crate::output::{Rgba8Image, write_png};
+
+/// The last pass that a script can have.
+const MOST_PASS: u32 = 1_000_000;
 
 /// One thing that is done.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,13 +85,16 @@ impl Script {
     pub fn parse(text: &str, file: &str) -> Result<Self, ScriptError> {
         let mut actions: Vec<(u32, usize, Action)> = Vec::new();
         for (number, line) in (1..).zip(text.lines()) {
-            let line = line.split('#').next().unwrap_or_default().trim();
+            let line = without_comment(line).trim();
             if line.is_empty() {
                 continue;
             }
             let wrong = |what: &str| ScriptError(format!("{file}:{number}: {what}: `{line}`"));
             let (pass, rest) = line.split_once(' ').ok_or_else(|| wrong("no action"))?;
             let pass: u32 = pass.parse().map_err(|_| wrong("no pass"))?;
+            if pass > MOST_PASS {
+                return Err(wrong("a pass after 1,000,000"));
+            }
             if actions.last().is_some_and(|(last, ..)| pass < *last) {
                 return Err(wrong("an earlier pass than the line before"));
             }
@@ -109,6 +115,17 @@ impl Script {
     fn end(&self) -> u32 {
         self.actions.last().map_or(0, |(pass, ..)| pass + 1)
     }
+}
+
+fn without_comment(line: &str) -> &str {
+    let mut marks = line.match_indices('#').map(|(at, _)| at);
+    let begin = marks.find(|at| {
+        line[..*at]
+            .chars()
+            .next_back()
+            .is_none_or(char::is_whitespace)
+    });
+    &line[..begin.unwrap_or(line.len())]
 }
 
 fn action(text: &str) -> Option<Action> {
@@ -242,6 +259,7 @@ pub fn play(
         stage.take_textures(&mut output);
         stage.refresh(app);
         stage.paint(&ctx, output, &view, size_px);
+        stage.faults.check()?;
         for action in after {
             match action {
                 Action::Shot(path) => shoot(&stage, &target, path)?,

@@ -11,7 +11,7 @@ use super::orbit::Orbit;
 use super::pace::Pace;
 use super::source::{Source, frame_end, lives_for_ever, told};
 use crate::output::write_whole;
-use crate::recording::{Change, Recording};
+use crate::recording::{Change, Recording, without_effect};
 use crate::scene::{Corners, Dimensions, Flock, Goal, Ignition, Knob, KnobValue, Scene};
 use crate::simulation::{Pick, Ray, Simulation};
 
@@ -77,7 +77,6 @@ impl Session {
     /// The scene, or the machine.
     pub fn new(mut source: Source) -> Result<Self, Told> {
         source.read_files()?;
-        source.make_room()?;
         let scene = source.load(&[])?;
         let knobs = source.knobs(&[])?;
         let recording = Recording::default();
@@ -397,6 +396,11 @@ impl Session {
         let sets = changes.iter().map(|change| change.set.clone());
         let sets: Vec<String> = sets.chain([set.clone()]).collect();
         let scene = self.source.load(&sets)?;
+        if let Some(key) = without_effect(&self.source.load(&[])?, &scene) {
+            return Err(format!(
+                "`{key}` changes nothing in a run that is under way"
+            ));
+        }
         let knobs = self.source.knobs(&sets)?;
         if self.detail() != Detail::FULL && hangs_on_pixels(&scene) {
             return Err(
@@ -639,20 +643,17 @@ impl Session {
         let files = self.source.files().map_err(WindowError::Scene)?;
         let meshes = self.meshes_beside(path)?;
         let inputs = path.with_extension("inputs");
-        let sets: String = self
-            .source
-            .sets
-            .iter()
-            .map(|set| format!(" --set '{set}'"))
-            .collect();
+        let sets = self.source.first_sets();
+        let sets = sets.iter().map(|set| format!(" --set {}", shell_word(set)));
+        let sets: String = sets.collect();
         let outside = match self.source.loader.allow_outside {
             true => " --allow-outside",
             false => "",
         };
         let head = format!(
             "# motes render {}{sets}{outside} --inputs {} --frames 0..{}\n",
-            path.display(),
-            inputs.display(),
+            shell_word(&path.display().to_string()),
+            shell_word(&inputs.display().to_string()),
             self.frame() + 1
         );
         for (place, bytes) in meshes {
@@ -664,7 +665,7 @@ impl Session {
         }
         write_whole(&inputs, (head + &self.recording.to_text()).as_bytes())
             .map_err(WindowError::Output)?;
-        write_whole(path, files.text.as_bytes()).map_err(WindowError::Output)?;
+        write_whole(path, files.draft.text().as_bytes()).map_err(WindowError::Output)?;
         Ok(inputs)
     }
 
@@ -672,7 +673,7 @@ impl Session {
     fn meshes_beside(&self, path: &Path) -> Result<Vec<(PathBuf, Vec<u8>)>, WindowError> {
         let files = self.source.files().map_err(WindowError::Scene)?;
         let read = files.draft.companions();
-        let read = read.map_err(|error| wrong(&format!("a mesh of the scene: {error}")))?;
+        let read = read.map_err(|told| wrong(&format!("a mesh of the scene: {told}")))?;
         let folder = path.parent().unwrap_or(Path::new(""));
         let mut missing = Vec::new();
         for (name, bytes) in read {
@@ -749,6 +750,15 @@ fn place_for(flock: &Flock, ray: &Ray) -> Option<[f32; 3]> {
             let middle = [0, 1, 2].map(|axis| 0.5 * (min[axis] + max[axis]));
             ray.meets_plane(middle, ray.direction)
         }
+    }
+}
+
+/// A word as shells take it.
+fn shell_word(text: &str) -> String {
+    let is_plain = |letter: char| letter.is_alphanumeric() || "-_./=:,+@%".contains(letter);
+    match !text.is_empty() && text.chars().all(is_plain) {
+        true => text.to_owned(),
+        false => format!("'{}'", text.replace('\'', r"'\''")),
     }
 }
 

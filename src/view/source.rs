@@ -36,6 +36,8 @@ pub struct Source {
     pub device: GpuDevice,
     /// Whether the device was opened with a clock.
     pub is_timed: bool,
+    /// Room for more particles than the scene asks for, as `--set` has it, where the scene names none.
+    room: Option<String>,
     /// A folder of kernels to run in place of the program's own, and what was read of them last.
     kernels: Option<(PathBuf, Arc<KernelTexts>)>,
     /// How much of it is drawn, and what that changes of it, as `--set` has it.
@@ -47,6 +49,7 @@ pub struct Source {
 /// What a [`Source`] was at a time.
 pub(super) struct AsRead {
     read: Option<Rc<Files>>,
+    room: Option<String>,
     kernels: Option<(PathBuf, Arc<KernelTexts>)>,
     detail: (Detail, Vec<String>),
 }
@@ -54,8 +57,6 @@ pub(super) struct AsRead {
 /// What was read of a scene's files.
 pub(super) struct Files {
     pub(super) draft: Draft,
-    /// Its text.
-    pub(super) text: String,
 }
 
 impl Source {
@@ -71,6 +72,7 @@ impl Source {
             loader,
             device,
             is_timed,
+            room: None,
             kernels: None,
             detail: (Detail::FULL, Vec::new()),
             read: None,
@@ -88,7 +90,8 @@ impl Source {
     }
 
     /// Gives a scene that names no capacity one that its births may be turned up to.
-    pub(super) fn make_room(&mut self) -> Result<(), Told> {
+    fn make_room(&mut self) -> Result<(), Told> {
+        self.room = None;
         let scene = self.load(&[])?;
         if scene.capacity.is_some() || scene.systems.is_empty() {
             return Ok(());
@@ -99,13 +102,18 @@ impl Source {
             .saturating_mul(ROOM)
             .clamp(LEAST_ROOM, MOST_ROOM);
         let capacity = room.max(plan.capacity);
-        self.sets.push(format!("capacity={capacity}"));
+        self.room = Some(format!("capacity={capacity}"));
         Ok(())
+    }
+
+    /// Changes made to the scene before it begins.
+    pub(super) fn first_sets(&self) -> Vec<String> {
+        self.sets.iter().chain(&self.room).cloned().collect()
     }
 
     pub(super) fn load(&self, sets: &[String]) -> Result<Scene, Told> {
         let (_, coarser) = &self.detail;
-        self.load_as(&[&self.sets, sets, coarser].concat())
+        self.load_as(&[&self.first_sets(), sets, coarser].concat())
     }
 
     fn load_as(&self, sets: &[String]) -> Result<Scene, Told> {
@@ -129,10 +137,7 @@ impl Source {
         let read = || -> Result<Files, SceneError> {
             let draft = self.loader.draft(&self.scene, &[])?;
             draft.with(&self.sets)?.scene()?;
-            Ok(Files {
-                draft,
-                text: self.loader.text(&self.scene)?,
-            })
+            Ok(Files { draft })
         };
         let read = read().map_err(|error| error.to_string())?;
         if let Some((folder, texts)) = &mut self.kernels {
@@ -140,13 +145,14 @@ impl Source {
             *texts = Arc::new(read.map_err(|told| format!("error: {told}"))?);
         }
         self.read = Some(Rc::new(read));
-        Ok(())
+        self.make_room()
     }
 
     /// All that depends on what was read last.
     pub(super) fn as_read(&self) -> AsRead {
         AsRead {
             read: self.read.clone(),
+            room: self.room.clone(),
             kernels: self.kernels.clone(),
             detail: self.detail.clone(),
         }
@@ -156,10 +162,12 @@ impl Source {
     pub(super) fn put_back(&mut self, before: AsRead) {
         let AsRead {
             read,
+            room,
             kernels,
             detail,
         } = before;
-        (self.read, self.kernels, self.detail) = (read, kernels, detail);
+        (self.read, self.room) = (read, room);
+        (self.kernels, self.detail) = (kernels, detail);
     }
 
     /// Every file that it was read from.
@@ -173,7 +181,7 @@ impl Source {
 
     /// Draws the scene, as its file is now, with that much detail; with all, if what happens hangs on it.
     pub(super) fn draw_as(&mut self, detail: Detail) -> Result<(), Told> {
-        let scene = self.load_as(&self.sets)?;
+        let scene = self.load_as(&self.first_sets())?;
         let detail = match hangs_on_pixels(&scene) {
             true => Detail::FULL,
             false => detail,
@@ -197,7 +205,7 @@ impl Source {
     /// What was done, as turns of the scene as it is drawn.
     pub(super) fn turns(&self, done: &Recording) -> Result<Vec<Turn>, Told> {
         let (_, coarser) = &self.detail;
-        let mut draft = self.draft_as(&[self.sets.as_slice(), coarser].concat())?;
+        let mut draft = self.draft_as(&[self.first_sets().as_slice(), coarser].concat())?;
         let turns = done.turns_on(&mut draft, ("", "changes"));
         turns.map_err(|refused| refused.message)
     }
@@ -207,7 +215,7 @@ impl Source {
     pub(super) fn fitting(&self, done: &Recording) -> (Recording, Vec<String>) {
         let (mut fitting, mut left_out) = (done.clone(), Vec::new());
         let (_, coarser) = &self.detail;
-        let sets = [self.sets.as_slice(), coarser].concat();
+        let sets = [self.first_sets().as_slice(), coarser].concat();
         while let Ok(mut draft) = self.draft_as(&sets)
             && let Err(refused) = fitting.turns_on(&mut draft, ("", "changes"))
         {
@@ -220,7 +228,7 @@ impl Source {
 
     /// What can be turned, as it is with these changes.
     pub(super) fn knobs(&self, changes: &[String]) -> Result<Vec<Knob>, Told> {
-        let draft = self.draft_as(&[self.sets.as_slice(), changes].concat())?;
+        let draft = self.draft_as(&[self.first_sets().as_slice(), changes].concat())?;
         draft.knobs().map_err(|error| error.to_string())
     }
 

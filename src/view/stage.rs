@@ -1,10 +1,39 @@
 //! What the window is drawn with: egui's renderer and the picture's texture, on the device that the
 //! scene runs on.
 
+use std::sync::{Arc, Mutex};
+
 use super::app::App;
+use super::error::WindowError;
+
+/// Errors of a device that nobody has asked for, which would end the program.
+#[derive(Clone, Default)]
+pub(super) struct Faults(Arc<Mutex<Option<String>>>);
+
+impl Faults {
+    /// Keeps the first one of the device from now on.
+    pub(super) fn of(device: &wgpu::Device) -> Self {
+        let faults = Self::default();
+        let kept = faults.clone();
+        device.on_uncaptured_error(Arc::new(move |error| {
+            if let Ok(mut first) = kept.0.lock() {
+                first.get_or_insert_with(|| error.to_string());
+            }
+        }));
+        faults
+    }
+
+    /// # Errors
+    /// There was one.
+    pub(super) fn check(&self) -> Result<(), WindowError> {
+        let first = self.0.lock().ok().and_then(|first| first.clone());
+        first.map_or(Ok(()), |told| Err(WindowError::Machine(told)))
+    }
+}
 
 /// egui's renderer and the picture.
 pub(super) struct Stage {
+    pub(super) faults: Faults,
     pub(super) device: wgpu::Device,
     pub(super) queue: wgpu::Queue,
     renderer: egui_wgpu::Renderer,
@@ -24,6 +53,7 @@ impl Stage {
             ..Default::default()
         };
         Self {
+            faults: Faults::of(&device),
             renderer: egui_wgpu::Renderer::new(&device, format, options),
             device,
             queue,

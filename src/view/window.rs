@@ -199,7 +199,6 @@ impl Shown {
             present_mode: wgpu::PresentMode::AutoVsync,
             ..config
         };
-        surface.configure(&device, &config);
         let is_timed = device.features().contains(wgpu::Features::TIMESTAMP_QUERY);
         let since = SystemTime::now();
         let source = Source::new((&wish.scene, &wish.sets, wish.loader), (ours, is_timed))
@@ -214,8 +213,10 @@ impl Shown {
             None,
             Some(device.limits().max_texture_dimension_2d as usize),
         );
+        let stage = Stage::new(device, queue, config.format);
+        surface.configure(&stage.device, &config);
         Ok(Self {
-            stage: Stage::new(device, queue, config.format),
+            stage,
             window,
             instance,
             surface,
@@ -264,13 +265,15 @@ impl Shown {
                 return Ok(());
             }
             Current::Lost => return self.make_surface_anew(),
-            Current::Timeout | Current::Occluded | Current::Validation => return Ok(()),
+            Current::Timeout | Current::Occluded | Current::Validation => {
+                return self.stage.faults.check();
+            }
         };
         let view = frame.texture.create_view(&Default::default());
         let size_px = [self.config.width, self.config.height];
         self.stage.paint(&self.ctx, output, &view, size_px);
         self.stage.queue.present(frame);
-        Ok(())
+        self.stage.faults.check()
     }
 
     /// A surface that was lost comes back as another one.

@@ -162,8 +162,8 @@ fn r87_scenes_of_boids_scale_by_boids() {
         rates[0] > rates[1].map(|rate| rate * seen * 0.9),
         "{rates:?}"
     );
-    let error = job(&scene, 1_000_001).scaled().expect_err("too many");
-    assert!(error.is_users_fault() && error.to_string().contains("at most 1000000 boids"));
+    let error = job(&scene, 32_000_001).scaled().expect_err("too many");
+    assert!(error.is_users_fault() && error.to_string().contains("at most 32000000 boids"));
 }
 
 #[test]

@@ -189,3 +189,133 @@ fn kernels_are_read_again_and_wrong_ones_change_nothing() {
     let told = session.reload().expect_err("there is none");
     assert!(told.contains("there is no kernel in it"), "{told}");
 }
+
+#[test]
+fn what_holds_for_a_whole_run_is_not_turned() {
+    let (_folder, mut session) = session();
+    steps(&mut session, 2);
+    for (key, value) in [
+        ("frames", "20"),
+        ("frame_rate", "30"),
+        ("steady_particles", "9"),
+    ] {
+        let told = session.turn(key, value).expect_err("it holds for a run");
+        assert!(told.contains(&format!("`{key}`")), "{told}");
+    }
+    assert!(session.recording().changes.is_empty());
+    session.restart(2).expect("it begins");
+}
+
+#[test]
+fn whatever_turns_is_replayed() {
+    for text in [SCENE, FLAME, FLOCK] {
+        let (folder, mut session) = session_of(text);
+        steps(&mut session, 2);
+        let mut knobs: Vec<_> = session.knobs().to_vec();
+        // It is given to the scene by `--set`, which the replay here has not.
+        knobs.retain(|knob| knob.path != "capacity");
+        let mut turned = 0;
+        for knob in knobs {
+            let (KnobValue::Written(value) | KnobValue::Default(value)) = knob.value else {
+                continue;
+            };
+            let half = value
+                .parse::<f64>()
+                .map(|number| (0.5 * number).to_string());
+            for value in [Some(value), half.ok()].into_iter().flatten() {
+                turned += u32::from(session.turn(&knob.path, &value).is_ok());
+            }
+        }
+        assert!(turned > 20, "{turned}");
+        steps(&mut session, 2);
+        let mut replay = saved(&folder, &session).replay;
+        let digest_of_replay = replay.state_digest().expect("it is told");
+        assert_eq!(digest_of_replay, digest(&mut session));
+        let frame = session.frame();
+        session.restart(frame).expect("it begins");
+        assert_eq!(digest_of_replay, digest(&mut session));
+    }
+}
+
+#[test]
+fn the_room_that_a_scene_gets_gives_way_to_its_own_capacity() {
+    let (folder, mut session) = session();
+    assert_eq!(session.scene().capacity, Some(100_000));
+    let text = format!("capacity = 1000\n{SCENE}");
+    std::fs::write(folder.path().join("jet.toml"), text).expect("it is written");
+    session.reload().expect("it is a scene");
+    assert_eq!(session.scene().capacity, Some(1000));
+    std::fs::write(folder.path().join("jet.toml"), SCENE).expect("it is written");
+    session.reload().expect("it is a scene");
+    assert_eq!(session.scene().capacity, Some(100_000));
+}
+
+#[test]
+fn the_first_line_of_a_recording_is_a_command() {
+    let (folder, _) = session();
+    let scene = folder.path().join("jet.toml");
+    let title = "title=\"it's\"";
+    let mut session = Session::new(source(&scene, &[title])).expect("it begins");
+    steps(&mut session, 2);
+    let mine = folder.path().join("my scene.toml");
+    let inputs = session.save_as(&mine).expect("it is saved");
+    let text = std::fs::read_to_string(inputs).expect("it is there");
+    let head = text.lines().next().unwrap_or_default();
+    let words = head.trim_start_matches("# motes ");
+    let command = format!(
+        "{} {words} --size 16x12 -o out",
+        env!("CARGO_BIN_EXE_motes")
+    );
+    let output = Command::new("sh")
+        .args(["-c", &command])
+        .current_dir(folder.path())
+        .env("MOTES_ADAPTER", "cpu")
+        .output()
+        .expect("it starts");
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{head}: {stderr}");
+}
+
+#[test]
+fn meshes_that_are_not_what_ran_are_not_saved() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let carried = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/meshes/paper.obj");
+    let text = std::fs::read_to_string(carried).expect("it is there");
+    let mesh = folder.path().join("sail.obj");
+    std::fs::write(&mesh, &text).expect("it is written");
+    let scene = folder.path().join("in/boat.toml");
+    std::fs::create_dir(folder.path().join("in")).expect("a folder");
+    let of = |mesh: &str| {
+        let shape = format!("{{ kind = \"mesh\", mesh = \"{mesh}\" }}");
+        SCENE.replace("{ kind = \"sphere\", radius = 0.4 }", &shape)
+    };
+    let save = |session: &Session, name: &str| {
+        let there = folder.path().join(name);
+        std::fs::create_dir_all(there.parent().expect("it has one")).expect("a folder");
+        session
+            .save_as(&there)
+            .map_err(|error| format!("{error:?}"))
+    };
+    let outside = |text: &str| {
+        std::fs::write(&scene, text).expect("it is written");
+        let mut source = source(&scene, &[]);
+        source.loader.allow_outside = true;
+        Session::new(source).expect("it begins")
+    };
+    let told = save(&outside(&of("../sail.obj")), "far/a/mine.toml");
+    assert!(
+        told.as_ref()
+            .is_err_and(|it| it.contains("outside of the scene's folder")),
+        "{told:?}"
+    );
+    assert!(!folder.path().join("far/a/mine.toml").exists());
+    // One that is found from anywhere stays where it is.
+    let absolute = mesh.display().to_string();
+    save(&outside(&of(&absolute)), "far/b/mine.toml").expect("it is saved");
+    let scene = folder.path().join("boat.toml");
+    std::fs::write(&scene, of("sail.obj")).expect("it is written");
+    let session = Session::new(source(&scene, &[])).expect("it begins");
+    std::fs::write(&mesh, text + "# torn\n").expect("it is written");
+    let told = save(&session, "far/c/mine.toml");
+    assert!(told.is_err_and(|it| it.contains("written since the scene was read")));
+}

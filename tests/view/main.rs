@@ -360,6 +360,9 @@ fn wrong_scripts_and_scenes_are_told_with_their_place() {
         ),
         ("0 turn seed=4\n", "play.txt:1: "),
         ("0 shot /proc/x.png\n", "error: /proc/x.png: "),
+        ("4294967295 end\n", "play.txt:1: a pass after 1,000,000"),
+        // It begins no comment.
+        ("0 turn title=\"a#b\"\n", "`title` changes nothing in a run"),
     ] {
         std::fs::write(folder.path().join("play.txt"), script).expect("it is written");
         let output = motes(folder.path(), &["view", "jet.toml", "--script", "play.txt"]);

@@ -5,11 +5,10 @@
 // state of the frame before, so that the order of the boids does not matter. One invocation a boid of
 // the flock, in sorted order.
 // Reads: frame, flocks, relations, obstacles, solid_faces, winds, cell_starts, sorted_boids. Writes:
-// boids, boid_trails, overlooked.
+// boids, boid_trails; overlooked on devices with 64-bit integers, as software ones that end loops have.
 // Invariant: whoever is nearer than a relation's radius is looked at, and everybody at most once; boids for
-// which a driver has ended a loop before its end are counted. Where
-// only the nearest count (Ballerini et al. 2008), who they are depends on distances and identities
-// alone.
+// which a driver has ended a loop before its end are counted. Where only the nearest count (Ballerini et
+// al. 2008), who they are depends on distances and identities alone.
 
 #import motes::boid::{Motion, boid_of, halves, moved}
 #import motes::dispatch::linear_index
@@ -68,7 +67,10 @@ var<immediate> which: Which;
 @group(0) @binding(7) var<uniform> frame: Frame;
 @group(0) @binding(8) var<storage, read_write> boid_trails: array<vec4<u32>>;
 @group(0) @binding(9) var<storage, read> solid_faces: array<vec4<f32>>;
+#if WIDE == true
+// Others have no binding left for it.
 @group(0) @binding(10) var<storage, read_write> overlooked: array<atomic<u32>>;
+#endif
 
 // Whether a loop has been ended before its end: software drivers do so after 65,535 turns of all loops of
 // an invocation.
@@ -407,9 +409,11 @@ fn steer(@builtin(global_invocation_id) global_id: vec3<u32>) {
         next = kept_out(surface_at(obstacles[behind], next.position), next);
     }
     cut_unless(!OBSTACLES || behind >= obstacles_end);
+#if WIDE == true
     if CROWDS && is_cut {
         atomicAdd(&overlooked[0], 1u);
     }
+#endif
     if TRAILS && flock.trail.z > 0u {
         let ring = flock.trail.x + velocity_bits.w * (flock.trail.y + 1u);
         boid_trails[ring + (frame.frame & flock.trail.y)] = vec4<u32>(position_bits.xyz, 0u);

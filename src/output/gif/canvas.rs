@@ -1,8 +1,10 @@
 //! What a viewer shows after the frames so far, and the patch that turns it into the next one.
 
+use std::collections::TryReserveError;
+
 use rayon::prelude::*;
 
-use super::histogram::Histogram;
+use super::histogram::{Histogram, filled};
 use super::mask;
 use super::mixing::Mixing;
 use super::palette::Palette;
@@ -50,17 +52,19 @@ struct Rectangle {
 }
 
 impl Canvas {
-    pub(super) fn new(width: u16, height: u16) -> Self {
+    /// # Errors
+    /// There is no room for it.
+    pub(super) fn new(width: u16, height: u16) -> Result<Self, TryReserveError> {
         let width = usize::from(width);
         let pixel_count = width * usize::from(height);
-        Self {
+        Ok(Self {
             width,
             is_first: true,
-            meant: vec![0; pixel_count],
-            shown: vec![0; pixel_count],
-            wanted: vec![0; pixel_count],
-            histogram: Histogram::new(),
-        }
+            meant: filled(0, pixel_count)?,
+            shown: filled(0, pixel_count)?,
+            wanted: filled(0, pixel_count)?,
+            histogram: Histogram::new()?,
+        })
     }
 
     /// Makes the canvas show a picture (RGBA, `width * height`) and gives the patch that does it.

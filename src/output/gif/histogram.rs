@@ -1,5 +1,7 @@
 //! Which colours a patch needs, and how often: exactly while they are few, and by cells of nearby colours.
 
+use std::collections::TryReserveError;
+
 /// Bits a channel that tell cells apart.
 const CELL_BITS: u32 = 6;
 
@@ -43,15 +45,25 @@ impl Cell {
     }
 }
 
+/// So many of the same, or an error where there is no room for them.
+pub(super) fn filled<T: Clone>(one: T, count: usize) -> Result<Vec<T>, TryReserveError> {
+    let mut all = Vec::new();
+    all.try_reserve_exact(count)?;
+    all.resize(count, one);
+    Ok(all)
+}
+
 impl Histogram {
-    pub(super) fn new() -> Self {
-        Self {
-            cells: vec![Cell::default(); CELL_COUNT],
+    /// # Errors
+    /// There is no room for its cells: 8 MiB.
+    pub(super) fn new() -> Result<Self, TryReserveError> {
+        Ok(Self {
+            cells: filled(Cell::default(), CELL_COUNT)?,
             touched: Vec::new(),
             colours: Vec::new(),
             is_exact: true,
             latest: 0,
-        }
+        })
     }
 
     pub(super) fn clear(&mut self) {

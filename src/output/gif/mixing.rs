@@ -110,7 +110,7 @@ mod tests {
     fn proportions_are_those_of_the_colour() {
         let grey = |value: u8| u32::from_le_bytes([value, value, value, 0]);
         let palette = Palette::of([0, grey(100), grey(108)], false);
-        let mut histogram = Histogram::new();
+        let mut histogram = Histogram::new().expect("there is room");
         (100..=108).for_each(|value| histogram.add(grey(value)));
         let mixing = Mixing::new(&palette, &histogram);
         for value in 100..=108 {
@@ -126,7 +126,7 @@ mod tests {
     #[test]
     fn far_colours_are_not_strewn_in() {
         let palette = Palette::of([0, 0x0064_6464, 0x00ff_ffff], false);
-        let mut histogram = Histogram::new();
+        let mut histogram = Histogram::new().expect("there is room");
         histogram.add(0x0066_6666);
         let mixing = Mixing::new(&palette, &histogram);
         assert!((0..LEVELS as u8).all(|threshold| mixing.index(0x0066_6666, threshold) == 1));

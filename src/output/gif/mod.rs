@@ -13,7 +13,7 @@ mod mixing;
 mod palette;
 
 use std::borrow::Cow;
-use std::io;
+use std::io::{self, ErrorKind};
 use std::path::Path;
 
 use ::gif::{DisposalMethod, Encoder, EncodingError, Frame, Repeat};
@@ -59,9 +59,10 @@ impl GifWriter {
             encoder.set_repeat(Repeat::Infinite)?;
             Ok(encoder)
         });
+        let no_room = |_| OutputError::io(path, "write", ErrorKind::OutOfMemory.into());
         Ok(Self {
             encoder: started.map_err(|error| OutputError::io(path, "write", io_error(error)))?,
-            canvas: Canvas::new(side_x, side_y),
+            canvas: Canvas::new(side_x, side_y).map_err(no_room)?,
             clock,
             waiting: None,
         })

@@ -79,9 +79,15 @@ impl Draft {
         Ok(changed)
     }
 
+    /// The text that it was read from.
+    #[cfg(feature = "view")]
+    pub(crate) fn text(&self) -> &str {
+        &self.root.at.source.text
+    }
+
     /// Files that its text needs beside it, by their places relative to it, with their bytes.
     #[cfg(feature = "view")]
-    pub(crate) fn companions(&self) -> std::io::Result<Vec<(PathBuf, Vec<u8>)>> {
+    pub(crate) fn companions(&self) -> Result<Vec<(PathBuf, Vec<u8>)>, String> {
         self.files.companions()
     }
 
