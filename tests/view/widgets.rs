@@ -54,14 +54,10 @@ impl Desk {
         }
     }
 
-    fn find(&self, is_it: impl Fn(&str) -> bool) -> Option<Pos2> {
-        let mut shown = self.shown.iter();
-        let found = shown.find(|(text, _)| is_it(text.trim()));
-        found.map(|(_, area)| area.center())
-    }
-
     fn at(&self, text: &str) -> Pos2 {
-        let found = self.find(|shown| shown == text);
+        let is_it = |(shown, area): &&(String, Rect)| shown.trim() == text && area.min.y < 2400.0;
+        let found = self.shown.iter().find(is_it);
+        let found = found.map(|(_, area)| area.center());
         found.unwrap_or_else(|| panic!("no `{text}` in {:?}", self.shown))
     }
 
@@ -167,7 +163,7 @@ fn note(shape: &Shape, clip: Rect, shown: &mut Vec<(String, Rect)>) {
 
 fn begun(text: &str) -> (tempfile::TempDir, Session) {
     let folder = tempfile::tempdir().expect("a folder");
-    let scene = folder.path().join("scene.toml");
+    let scene = folder.path().join("own.toml");
     std::fs::write(&scene, text).expect("it is written");
     let session = Session::new(source(&scene, &[])).expect("it begins");
     (folder, session)
@@ -345,6 +341,7 @@ fn p78b_the_knobs_of_the_table_stand_first() {
         "scene",
         "fire.oak",
     ];
+    println!("{:?}", &desk.shown[..desk.shown.len().min(60)]);
     let heights = labels.map(|label| desk.at(label).y);
     assert!(heights.is_sorted(), "{heights:?}");
     // A fifth of the mean edge of 0.5, set as it is: nothing changes but that it can be turned.
@@ -413,7 +410,13 @@ fn knobs_of_a_whole_run_are_those_that_no_run_takes() {
             let Some(value) = other(&knob) else {
                 continue;
             };
-            let outcome = session.turn(&knob.path, &value);
+            let mut outcome = session.turn(&knob.path, &value);
+            let is_fixed = session.is_fixed(&knob.path);
+            if is_fixed && outcome.is_ok() {
+                // Refused as late as where it is replayed.
+                outcome = session.restart(session.frame());
+                session.undo().expect(&knob.path);
+            }
             let is_of_run = outcome.as_ref().is_err_and(|told| {
                 told.contains("holds for a whole run") || told.contains("changes nothing in a run")
             });
@@ -422,7 +425,6 @@ fn knobs_of_a_whole_run_are_those_that_no_run_takes() {
                 session.undo().expect(&knob.path);
             }
             refused += u32::from(is_of_run);
-            let is_fixed = session.is_fixed(&knob.path);
             assert_eq!(is_fixed, is_of_run, "{} = {value}: {outcome:?}", knob.path);
         }
     }
