@@ -276,8 +276,7 @@ fn a_script_plays_looks_around_and_takes_pictures_of_the_window() {
         .next()
         .unwrap_or_default()
         .to_owned();
-    let begin =
-        "# motes render mine.toml --set 'capacity=100000' --inputs mine.inputs --frames 0..";
+    let begin = "# motes render mine.toml --set capacity=100000 --inputs mine.inputs --frames 0..";
     assert!(head.starts_with(begin), "{head}");
 }
 
