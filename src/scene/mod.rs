@@ -61,6 +61,8 @@ pub use picture::{
     Camera, Ground, Image, Lamp, Layer, Light, Pillar, Planet, Projection, ShutterWeighting,
 };
 pub(crate) use set::Set;
+#[cfg(feature = "view")]
+pub(crate) use set::UNSET;
 pub use spread::{
     Char, Curvature, FireSpread, FluxFormula, FrontHeading, FrontLine, Grain, GrainPattern,
     Ignition, Insertion, Material, Smoke, SpreadLaw,

@@ -6,12 +6,15 @@ use std::rc::Rc;
 
 use super::SceneError;
 use super::error::{did_you_mean, shortened};
-use super::schema::{Kind, SCENE};
+use super::schema::{Field, Kind, SCENE, Variant};
 use super::tracks;
 use super::tree::{self, At, Entry, Node, Source, Value};
 
 /// What stands before the text in errors.
 const PREFIX: &str = "--set ";
+
+/// The value that leaves a key out, as if the scene did not say it.
+pub(crate) const UNSET: &str = "unset";
 
 /// Parts of a path at most, so that no command line builds a tree too deep to walk.
 const MAX_PARTS: usize = 8;
@@ -154,6 +157,9 @@ pub(super) fn apply(root: &mut Node, set: &Set) -> Result<(), SceneError> {
         return Err(set.at(span).error(what, set.form));
     };
     let parts = set.parts()?;
+    if set.source.text[written.clone()].trim() == UNSET {
+        return leave_out(root, &parts, set.noun);
+    }
     let value = set.value(written)?;
     refuse_unwritten(root, &parts, set.noun)?;
     let mut node = root;
@@ -164,6 +170,101 @@ pub(super) fn apply(root: &mut Node, set: &Set) -> Result<(), SceneError> {
     }
     *node = value;
     Ok(())
+}
+
+/// Takes the key away, if it is written: what holds then is what the scene says by not saying it.
+fn leave_out(root: &mut Node, parts: &[(&str, At)], noun: &str) -> Result<(), SceneError> {
+    refuse_unwritten(root, parts, noun)?;
+    let Some((last @ (name, at), above)) = parts.split_last() else {
+        return Ok(());
+    };
+    if !is_key(SCENE, Some(root), parts) {
+        let path: Vec<String> = parts.iter().map(|part| shortened(part.0)).collect();
+        let what = format!("there is no `{}` to leave out", path.join("."));
+        let help = format!("a {noun} leaves out what `motes scenes --knobs` lists");
+        return Err(at.error(what, help));
+    }
+    let Some(parent) = descend(root, above) else {
+        return Ok(());
+    };
+    // A mean may stand for its whole table, and nothing of the table says anything without it.
+    let is_mean = *name == "mean";
+    let holder = match &parent.value {
+        Value::Table(_) if !is_mean => Some((parent, last)),
+        Value::Table(entries) if entries.iter().any(|entry| entry.key != "mean") => {
+            Some((parent, last))
+        }
+        Value::Array(items) if !is_mean && find(items, name).is_some() => {
+            let what = format!(
+                "`{}` is one of a list, and cannot be left out",
+                shortened(name)
+            );
+            let help = "a run has what its lists have: change its keys, or the list as a whole";
+            return Err(at.error(what, help));
+        }
+        _ if is_mean => above
+            .split_last()
+            .and_then(|(last, above)| Some((descend(root, above)?, last))),
+        _ => None,
+    };
+    if let Some((table, (name, _))) = holder
+        && let Value::Table(entries) = &mut table.value
+    {
+        entries.retain(|entry| entry.key != *name);
+    }
+    Ok(())
+}
+
+/// What the path leads to, if it is written.
+fn descend<'a>(root: &'a mut Node, parts: &[(&str, At)]) -> Option<&'a mut Node> {
+    parts
+        .iter()
+        .try_fold(root, |node, (name, _)| match &mut node.value {
+            Value::Table(entries) => {
+                let entry = entries.iter_mut().find(|entry| entry.key == *name);
+                entry.map(|entry| &mut entry.node)
+            }
+            Value::Array(items) => {
+                let index = find(items, name)?;
+                items.get_mut(index)
+            }
+            _ => None,
+        })
+}
+
+/// Whether a table of these fields, or what is in it, has the key, written or not.
+fn is_key(fields: &[Field], node: Option<&Node>, parts: &[(&str, At)]) -> bool {
+    let Some(((name, _), rest)) = parts.split_first() else {
+        return true;
+    };
+    let Some(field) = fields.iter().find(|field| field.key == *name) else {
+        return false;
+    };
+    let node = node
+        .and_then(|node| node.entry(name))
+        .map(|entry| &entry.node);
+    let variant = |variants: &'static [Variant], node: Option<&Node>| {
+        let kind = node.and_then(|node| node.entry("kind")?.node.text());
+        let variant = variants.iter().find(|variant| Some(variant.name) == kind);
+        variant.map_or(&[][..], |variant| variant.fields)
+    };
+    // Of a list, the item; an item that is not there has been told.
+    let item = || match (node.map(|node| &node.value), rest.first()) {
+        (Some(Value::Array(items)), Some((name, _))) => find(items, name).map(|at| &items[at]),
+        _ => None,
+    };
+    let below = rest.get(1..).unwrap_or_default();
+    match field.kind {
+        _ if rest.is_empty() => true,
+        Kind::Table(fields) => is_key(fields, node, rest),
+        Kind::Variants(variants) => is_key(variant(variants, node), node, rest),
+        Kind::Tables { fields, .. } => item().is_some_and(|item| is_key(fields, Some(item), below)),
+        Kind::List { variants, .. } => {
+            item().is_some_and(|item| is_key(variant(variants, Some(item)), Some(item), below))
+        }
+        Kind::Randomised { .. } => is_key(&field.randomised_fields(), None, rest),
+        _ => false,
+    }
 }
 
 /// Refuses a path into a list that is not written: it has nothing that could be changed.

@@ -44,6 +44,10 @@ pub struct App {
     save_path: String,
     counts: String,
     counted_at: Option<u32>,
+    /// What found no room since the run began: births, systems' systems, control points, flames.
+    roomless: [u64; 4],
+    /// A file that was there when somebody saved to it: the next time it is written over.
+    may_replace: Option<String>,
     adapter: String,
 }
 
@@ -89,6 +93,8 @@ impl App {
             save_path,
             counts: String::new(),
             counted_at: None,
+            roomless: [0; 4],
+            may_replace: None,
             adapter,
         }
     }
@@ -114,10 +120,12 @@ impl App {
         };
     }
 
-    /// Reads the scene's files again and begins anew at the same frame; whether they are right.
-    pub(super) fn reload(&mut self) -> bool {
+    /// Reads the scene's files again and begins anew at the same frame, if they are right.
+    pub(super) fn reload(&mut self) {
         let outcome = self.session.reload();
-        let is_right = outcome.is_ok();
+        if outcome.is_ok() {
+            self.counted_at = None;
+        }
         self.did(outcome, |left_out| {
             let what = match left_out.as_slice() {
                 [] => "read the scene again".to_owned(),
@@ -128,7 +136,6 @@ impl App {
             };
             Some(what)
         });
-        is_right
     }
 
     fn count(&mut self) {
@@ -139,7 +146,6 @@ impl App {
         if !is_due && self.session.playing || self.counted_at == Some(frame) {
             return;
         }
-        self.counted_at = Some(frame);
         let simulation = self.session.simulation();
         let plan = simulation.plan();
         let [.., burning] = plan.flames_at(frame.cast_signed());
@@ -150,6 +156,21 @@ impl App {
         let Some(last) = lines.last() else {
             return;
         };
+        if self.counted_at.is_none() {
+            self.roomless = [0; 4];
+        }
+        self.counted_at = Some(frame);
+        for line in &lines {
+            let lost = [
+                line.dropped,
+                line.systems_requested.saturating_sub(line.systems_born),
+                line.points_requested.saturating_sub(line.points_born),
+                line.flames_requested.saturating_sub(line.flames_born),
+            ];
+            for (sum, lost) in self.roomless.iter_mut().zip(lost) {
+                *sum += u64::from(lost);
+            }
+        }
         let some = |count: u32, name: &str| (count > 0).then(|| format!("{count} {name}"));
         let parts = [
             some(last.live, "particles"),
@@ -160,6 +181,46 @@ impl App {
             some(last.marks_live, "marks"),
         ];
         self.counts = parts.into_iter().flatten().collect::<Vec<_>>().join(", ");
+    }
+
+    /// What found no room, and which key gives more, in words.
+    fn told_roomless(&self) -> Option<String> {
+        let kinds = [
+            "births (capacity)",
+            "systems (max_systems)",
+            "points of fronts (max_points)",
+            "flames (max_flames)",
+        ];
+        let parts = self.roomless.iter().zip(kinds);
+        let parts = parts.filter(|(count, _)| **count > 0);
+        let parts: Vec<String> = parts
+            .map(|(count, kind)| format!("{count} {kind}"))
+            .collect();
+        (!parts.is_empty()).then(|| format!("no room for {}", parts.join(", ")))
+    }
+
+    /// Writes the scene and what was done; over what is there only if somebody asks twice.
+    fn save(&mut self) {
+        let path = PathBuf::from(&self.save_path);
+        let there = [path.clone(), path.with_extension("inputs")];
+        let there = there.into_iter().find(|path| path.exists());
+        if let Some(there) = there
+            && self.may_replace.as_ref() != Some(&self.save_path)
+        {
+            self.may_replace = Some(self.save_path.clone());
+            let told = format!(
+                "{} is there: save once more to write over it",
+                there.display()
+            );
+            self.message = Some((told, true));
+            return;
+        }
+        let outcome = self.session.save_as(&path);
+        let outcome = outcome.map_err(|error| error.to_string());
+        self.may_replace = None;
+        self.did(outcome, |inputs| {
+            Some(format!("wrote {} and {}", path.display(), inputs.display()))
+        });
     }
 
     /// One pass of the whole window.
@@ -313,6 +374,9 @@ impl App {
         ui.heading(self.session.scene().title.clone());
         ui.label(RichText::new(&self.adapter).weak());
         ui.label(&self.counts);
+        if let Some(told) = self.told_roomless() {
+            ui.label(RichText::new(told).color(Color32::YELLOW));
+        }
         self.plot(ui);
         self.detail(ui);
         ui.horizontal(|ui| {
@@ -321,12 +385,7 @@ impl App {
             }
             ui.text_edit_singleline(&mut self.save_path);
             if ui.button("Save as").clicked() {
-                let outcome = self.session.save_as(&PathBuf::from(&self.save_path));
-                let outcome = outcome.map_err(|error| error.to_string());
-                let path = self.save_path.clone();
-                self.did(outcome, |inputs| {
-                    Some(format!("wrote {path} and {}", inputs.display()))
-                });
+                self.save();
             }
         });
         ui.horizontal(|ui| {

@@ -72,13 +72,24 @@ const FIXED: [(&str, &str); 21] = [
     ("surface.", ".crease_degrees"),
 ];
 
-/// Whether the key holds for a whole run.
-pub(super) fn is_fixed(path: &str) -> bool {
+/// Whether the knob, as it is, holds for a whole run.
+pub(super) fn is_fixed(knob: &Knob) -> bool {
+    let path = knob.path.as_str();
     let is_it = |(begin, end): &(&str, &str)| match *end {
         "" => path == *begin,
         end => path.starts_with(begin) && path.ends_with(end),
     };
-    FIXED.iter().any(is_it)
+    let text = match &knob.value {
+        KnobValue::Written(text) | KnobValue::Default(text) => text.as_str(),
+        KnobValue::None => "",
+    };
+    // A stroke stays one, and gets no shadow if it began without.
+    let is_stroke = match knob.field.key {
+        "particle_shape" => text == "\"stroke\"",
+        "stroke_shadow" => is_same(text, "0"),
+        _ => false,
+    };
+    is_stroke || FIXED.iter().any(is_it)
 }
 
 /// Shows the knob; what was done to it. `start` is what it would be set to where nothing is.
@@ -104,22 +115,32 @@ fn row(ui: &mut Ui, knob: &Knob, label: &str, start: &str) -> Touched {
         RichText::new(label).weak()
     };
     ui.label(name).on_hover_text(about);
-    if is_fixed(&knob.path) {
+    if is_fixed(knob) {
         let shown = if text.is_empty() { "not set" } else { text };
         let shown = ui.label(RichText::new(format!("{shown} {}", knob.field.unit)).monospace());
         ui.label(RichText::new("for a whole run").weak().small());
         shown.on_hover_text("it holds for a whole run: set it in the scene, or with --set");
         return Touched::default();
     }
-    if let (true, Presence::Default(default)) = (is_written, knob.field.presence)
-        && !is_same(text, default)
-        && ui
-            .small_button("\u{21ba}")
-            .on_hover_text(format!("default: {default}"))
-            .clicked()
+    let touched = value(ui, knob, text, start);
+    // After the value, which stays where it is under the hand.
+    let back = match knob.field.presence {
+        Presence::Default(default) => {
+            (!is_same(text, default)).then(|| format!("default: {default}"))
+        }
+        Presence::Optional(_) => Some("as if the scene did not say it".to_owned()),
+        Presence::Required(_) => None,
+    };
+    if let Some(hint) = back.filter(|_| is_written)
+        && ui.small_button("reset").on_hover_text(hint).clicked()
     {
         return Touched::once(Turned::Back(knob.path.clone()));
     }
+    touched
+}
+
+/// Shows the value of a knob that can be turned; what was done to it.
+fn value(ui: &mut Ui, knob: &Knob, text: &str, start: &str) -> Touched {
     let to = |value: String| Turned::To(knob.path.clone(), value);
     if knob.has_keys {
         let keyed = format!("keyed: {} keys", keys_of(text));
@@ -133,7 +154,10 @@ fn row(ui: &mut Ui, knob: &Knob, label: &str, start: &str) -> Touched {
             false => Touched::default(),
         };
     }
-    let choices = knob.choices();
+    let mut choices = knob.choices();
+    if knob.field.key == "particle_shape" {
+        choices.retain(|word| *word != "stroke");
+    }
     let once = |changed: Option<String>| {
         let turned = changed.map(|value| Touched::once(to(value)));
         turned.unwrap_or_default()

@@ -12,7 +12,7 @@ use super::pace::Pace;
 use super::source::{Source, frame_end, lives_for_ever, told};
 use crate::output::write_whole;
 use crate::recording::{Change, Recording, without_effect};
-use crate::scene::{Corners, Dimensions, Flock, Goal, Ignition, Knob, KnobValue, Scene};
+use crate::scene::{Corners, Dimensions, Flock, Goal, Ignition, Knob, KnobValue, Scene, UNSET};
 use crate::simulation::{Pick, Ray, Simulation};
 
 /// How much boids accelerate, as a share of their greatest speed, to where somebody calls them.
@@ -54,8 +54,8 @@ pub struct Session {
 struct Undo {
     /// The first frame that it holds for.
     frame: u32,
-    /// Paths of knobs, and their values before, in the order that they were turned in.
-    before: Vec<(String, KnobValue)>,
+    /// Paths of keys, and what turns them back, in the order that they were turned in.
+    before: Vec<(String, String)>,
     /// The frame from which on it is undone.
     undone_from: Option<u32>,
 }
@@ -308,13 +308,11 @@ impl Session {
     }
 
     /// The value that brings back what is now.
-    fn value_of(&self, path: &str) -> KnobValue {
+    fn value_of(&self, path: &str) -> String {
         let knob = self.knobs.iter().find(|knob| knob.path == path);
-        match knob.map_or(KnobValue::None, |knob| knob.value.clone()) {
-            KnobValue::None => self
-                .in_force(path)
-                .map_or(KnobValue::None, KnobValue::Default),
-            value => value,
+        match knob.map(|knob| &knob.value) {
+            Some(KnobValue::Written(value)) => value.clone(),
+            _ => UNSET.to_owned(),
         }
     }
 
@@ -333,13 +331,15 @@ impl Session {
         Some(format!("{value:?}"))
     }
 
-    /// Whether a key holds for a whole run, whatever its value, and is no knob of one under way.
+    /// Whether a key holds for a whole run as it is, and is no knob of one under way.
     pub fn is_fixed(&self, path: &str) -> bool {
-        is_fixed(path)
+        self.knobs
+            .iter()
+            .any(|knob| knob.path == path && is_fixed(knob))
     }
 
     /// Notes what was done, with the values before.
-    fn note(&mut self, before: Vec<(String, KnobValue)>) {
+    fn note(&mut self, before: Vec<(String, String)>) {
         let frame = self.next_frame();
         if let (Gesture::Noted, Some(last)) = (self.gesture, self.undone.last_mut()) {
             for one in before {
@@ -467,7 +467,7 @@ impl Session {
             let path = format!("flock.{}.goal", flock.name);
             let [known, new] = goals(flock, place, weight);
             all.push((path.clone(), new));
-            before.push((path, KnobValue::Written(known)));
+            before.push((path, known));
             let [x, y, z] = place;
             let way = if away { "away from" } else { "to" };
             done = Some(format!("boids steer {way} {x:.2}, {y:.2}, {z:.2}"));
@@ -498,7 +498,7 @@ impl Session {
         let [x, y, z] = pick.position;
         let done = format!("`fire.{}` burns at {x:.3}, {y:.3}, {z:.3}", fire.name);
         let listed = |all: &[String]| format!("[{}]", all.join(", "));
-        let before = KnobValue::Written(listed(&all[..all.len() - 1]));
+        let before = listed(&all[..all.len() - 1]);
         self.change(&path, &listed(&all))?;
         self.note(vec![(path, before)]);
         Ok(done)
@@ -512,7 +512,7 @@ impl Session {
     /// Puts what was done last back to what it was, from the next frame on; whether there was anything.
     ///
     /// # Errors
-    /// It cannot be put back, for that value is refused now or there was none; it is passed over, and what
+    /// It cannot be put back, for that value is refused now; it is passed over, and what
     /// was done before it is the last.
     pub fn undo(&mut self) -> Result<bool, Told> {
         if self.gesture == Gesture::Noted {
@@ -527,15 +527,8 @@ impl Session {
             return Ok(false);
         };
         let values = self.undone[at].before.iter().rev();
-        let values: Result<Vec<_>, Told> = values
-            .map(|(path, before)| match before {
-                KnobValue::Written(value) | KnobValue::Default(value) => {
-                    Ok((path.clone(), value.clone()))
-                }
-                KnobValue::None => Err(format!("`{path}` had no value to go back to")),
-            })
-            .collect();
-        match values.and_then(|values| self.change_all(&values)) {
+        let values: Vec<(String, String)> = values.cloned().collect();
+        match self.change_all(&values) {
             Ok(()) => {
                 // Of those up to this frame none is dropped by a change.
                 self.undone[at].undone_from = Some(next);
@@ -551,16 +544,12 @@ impl Session {
         }
     }
 
-    /// Puts a knob to the value that holds where a scene says nothing.
+    /// Puts a knob to what holds where a scene says nothing.
     ///
     /// # Errors
-    /// It has none.
+    /// The scene has to say something.
     pub fn reset(&mut self, path: &str) -> Result<(), Told> {
-        let knob = self.knobs.iter().find(|knob| knob.path == path);
-        match knob.map(|knob| knob.field.presence) {
-            Some(crate::scene::schema::Presence::Default(value)) => self.turn(path, value),
-            _ => Err(format!("`{path}` has no default")),
-        }
+        self.turn(path, UNSET)
     }
 
     /// Begins again and goes to a frame at once, with what has been done up to it. What was done later is
@@ -716,25 +705,25 @@ fn sets_of(recording: &Recording, frame: u32) -> Vec<String> {
 
 /// The goal that a flock has, and one at a place, in TOML.
 fn goals(flock: &Flock, position: [f32; 3], weight: f32) -> [String; 2] {
-    // A goal of no weight is as none.
-    let before = flock.goal.unwrap_or(Goal {
+    let called = Goal {
         position,
-        weight: 0.0,
+        weight,
         speed: 2.0 * flock.max_speed,
         limit: CALLED_LIMIT * flock.max_speed,
         slowing_radius: 0.0,
-    });
-    let now = Goal {
+    };
+    let now = flock.goal.map_or(called, |known| Goal {
         position,
         weight,
-        ..before
-    };
-    [before, now].map(|goal| {
+        ..known
+    });
+    let text = |goal: Goal| {
         format!(
             "{{ position = {:?}, weight = {:?}, speed = {:?}, limit = {:?}, slowing_radius = {:?} }}",
             goal.position, goal.weight, goal.speed, goal.limit, goal.slowing_radius
         )
-    })
+    };
+    [flock.goal.map_or(UNSET.to_owned(), text), text(now)]
 }
 
 /// Where a ray meets the plane that a flock lives in; for one in space, that of the middle of where it

@@ -44,6 +44,8 @@ pub struct Source {
     pub(super) detail: (Detail, Vec<String>),
     /// What was read of its files last.
     read: Option<Rc<Files>>,
+    /// Files that were opened when they were read last, be it for nothing.
+    tried: Vec<PathBuf>,
 }
 
 /// What a [`Source`] was at a time.
@@ -76,6 +78,7 @@ impl Source {
             kernels: None,
             detail: (Detail::FULL, Vec::new()),
             read: None,
+            tried: Vec::new(),
         }
     }
 
@@ -134,12 +137,16 @@ impl Source {
 
     /// Reads its file, its meshes and its kernels, once for many changes.
     pub(super) fn read_files(&mut self) -> Result<(), Told> {
-        let read = || -> Result<Files, SceneError> {
+        let mut tried = Vec::new();
+        let mut read = || -> Result<Files, SceneError> {
             let draft = self.loader.draft(&self.scene, &[])?;
-            draft.with(&self.sets)?.scene()?;
-            Ok(Files { draft })
+            let right = draft.with(&self.sets)?.scene();
+            tried.extend(draft.files().into_iter().map(|(_, path)| path));
+            right.map(|_| Files { draft })
         };
-        let read = read().map_err(|error| error.to_string())?;
+        let read = read().map_err(|error| error.to_string());
+        self.tried = tried;
+        let read = read?;
         if let Some((folder, texts)) = &mut self.kernels {
             let read = KernelTexts::read(folder);
             *texts = Arc::new(read.map_err(|told| format!("error: {told}"))?);
@@ -170,13 +177,19 @@ impl Source {
         (self.kernels, self.detail) = (kernels, detail);
     }
 
-    /// Every file that it was read from.
+    /// Every file that it was read from, or would have been if it were right.
     pub(super) fn paths(&self) -> Vec<PathBuf> {
         let files = self.read.as_ref().map(|read| read.draft.files());
         let files = files.into_iter().flatten().map(|(_, path)| path);
         let kernels = self.kernels.iter();
         let kernels = kernels.flat_map(|(folder, _)| KernelTexts::files(folder));
-        files.chain(kernels).collect()
+        let mut paths: Vec<PathBuf> = files.chain(kernels).collect();
+        for path in &self.tried {
+            if !paths.contains(path) {
+                paths.push(path.clone());
+            }
+        }
+        paths
     }
 
     /// Draws the scene, as its file is now, with that much detail; with all, if what happens hangs on it.

@@ -242,9 +242,8 @@ impl Shown {
         self.last = Instant::now();
         if self.watch.has_changed() {
             let since = SystemTime::now();
-            if self.app.reload() {
-                self.watch = Watch::new(self.app.session.files(), since);
-            }
+            self.app.reload();
+            self.watch = Watch::new(self.app.session.files(), since);
         }
         self.app.pass(passed);
         let size = self.window.inner_size();

@@ -190,3 +190,62 @@ fn sets_reach_keys() {
         assert_eq!(error.column(), column, "{error}");
     }
 }
+
+#[test]
+fn what_is_unset_is_as_if_the_scene_did_not_say_it() {
+    let scene = right(&[
+        "system.first.drag=unset",
+        "system.first.size.var=unset",
+        "system.first.end_frame=unset",
+        "light.shadow_radius = unset",
+    ]);
+    let mut wanted = right(&[]);
+    wanted.systems[0].drag = 0.0;
+    wanted.systems[0].size.initial.var = 0.0;
+    wanted.systems[0].end_frame = None;
+    wanted.light.shadow_radius = None;
+    assert_eq!(scene.systems[0], wanted.systems[0]);
+    assert_eq!(scene.light, wanted.light);
+    #[rustfmt::skip]
+    let cases = [
+        ("system.first.drog=unset", "there is no `system.first.drog` to leave out", "drog"),
+        ("system.first=unset", "`first` is one of a list", "first"),
+        ("system.ferst.drag=unset", "there is no `system.ferst.drag` to leave out", "ferst"),
+        ("system.first.name=unset", "`system.0.name` is missing", "system"),
+    ];
+    for (text, message, piece) in cases {
+        let error = set(&[text]).expect_err(text);
+        let told = error.to_string();
+        assert!(
+            error.message().contains(message) && told.contains(piece),
+            "{told}"
+        );
+    }
+}
+
+#[test]
+fn whatever_is_set_and_unset_is_as_it_was() {
+    for name in [
+        "fireworks",
+        "burning-cube",
+        "flock",
+        "genesis-impact",
+        "candle-wind",
+    ] {
+        let known = load_with(name, &[]).expect("it is built in");
+        let mut count = 0;
+        for knob in motes::scene::knobs(name).expect("it is built in") {
+            if matches!(knob.value, motes::scene::KnobValue::Written(_)) {
+                continue;
+            }
+            count += 1;
+            let unset = format!("{}=unset", knob.path);
+            let other = format!("{}={}", knob.path, knob.field.sample());
+            for sets in [vec![unset.clone()], vec![other, unset]] {
+                let scene = load_with(name, &sets).unwrap_or_else(|told| panic!("{sets:?} {told}"));
+                assert!(scene == known, "{name}: {sets:?}");
+            }
+        }
+        assert!(count > 10, "{name}: {count}");
+    }
+}

@@ -319,3 +319,53 @@ fn meshes_that_are_not_what_ran_are_not_saved() {
     let told = save(&session, "far/c/mine.toml");
     assert!(told.is_err_and(|it| it.contains("written since the scene was read")));
 }
+
+#[test]
+fn a_mesh_that_a_refused_scene_names_is_watched() {
+    let (folder, mut session) = session();
+    let mesh = folder.path().join("late.obj");
+    std::fs::write(&mesh, "v 0 0 0\n").expect("it is written");
+    let file = folder.path().join("jet.toml");
+    let text = format!("{SCENE}[[surface]]\nmesh = \"late.obj\"\n");
+    std::fs::write(&file, &text).expect("it is written");
+    session.reload().expect_err("it has no faces");
+    let is_watched = |session: &Session| session.files().iter().any(|it| it.ends_with("late.obj"));
+    assert!(is_watched(&session));
+    assert_eq!(
+        session
+            .files()
+            .iter()
+            .filter(|it| it.ends_with("jet.toml"))
+            .count(),
+        1
+    );
+    std::fs::write(&file, SCENE).expect("it is written");
+    session.reload().expect("it is a scene");
+    assert!(!is_watched(&session));
+}
+
+#[test]
+fn what_was_not_set_is_undone_and_reset_to_that_and_replayed_so() {
+    let (folder, mut session) = session();
+    let path = "system.jet.end_frame";
+    steps(&mut session, 3);
+    session.turn(path, "5").expect("it turns");
+    steps(&mut session, 4);
+    assert_eq!(session.scene().systems[0].end_frame, Some(5));
+    assert_eq!(session.undo(), Ok(true));
+    assert_eq!(session.scene().systems[0].end_frame, None);
+    assert_eq!(value(&session, path), KnobValue::None);
+    steps(&mut session, 4);
+    session.turn(path, "30").expect("it turns");
+    session.reset(path).expect("the scene need not say it");
+    assert_eq!(session.scene().systems[0].end_frame, None);
+    steps(&mut session, 2);
+    let mut saved = saved(&folder, &session);
+    let last = saved.recording.changes.last().expect("there are some");
+    assert_eq!(last.set, "system.jet.end_frame=unset");
+    let replayed = saved.replay.state_digest().expect("it is told");
+    assert_eq!(replayed, digest(&mut session));
+    session
+        .reset("system.jet.color.mean")
+        .expect_err("a colour is needed");
+}

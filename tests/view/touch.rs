@@ -198,10 +198,7 @@ fn boids_come_to_a_click_and_flee_from_the_other_button() {
         "{called} {own} {sent}"
     );
     assert_eq!(session.undo(), Ok(true));
-    assert_eq!(
-        session.scene().flocks[0].goal.map(|goal| goal.weight),
-        Some(0.0)
-    );
+    assert_eq!(session.scene().flocks[0].goal, None);
 }
 
 #[test]

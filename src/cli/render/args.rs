@@ -48,7 +48,7 @@ pub(in crate::cli) struct RenderArgs {
     /// Where dumps go [default: out/SCENE/]
     #[arg(long, value_name = "DIR", requires = "dump")]
     pub(super) dump_dir: Option<PathBuf>,
-    /// Change a key of the scene, e.g. camera.vertical_fov_degrees=30
+    /// Change a key of the scene, e.g. camera.vertical_fov_degrees=30; `unset` leaves it out
     #[arg(long, value_name = "path.to.key=value")]
     pub(super) set: Vec<String>,
     /// Let the scene read files outside of its folder
