@@ -29,7 +29,7 @@ shared_constants! {
 }
 
 /// A disc swept along a segment, or a square; `major` is the axis on which the segment is longer.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Footprint {
     pub(crate) square: bool,
     pub(crate) steep: bool,
@@ -90,6 +90,17 @@ impl Footprint {
             to_i32(middle - self.minor_reach),
             to_i32(middle + self.minor_reach) + 1,
         )
+    }
+
+    /// First and one past the last row of pixels that may be covered.
+    pub(crate) fn rows(&self) -> [i32; 2] {
+        if self.steep || self.first >= self.last {
+            return [self.first, self.last];
+        }
+        // Where the range lies grows or falls with the column, rounded or not.
+        let (low, high) = self.minor_range(self.first);
+        let (low_at_end, high_at_end) = self.minor_range(self.last - 1);
+        [low.min(low_at_end), high.max(high_at_end)]
     }
 
     /// What makes the sum of the weights the area of the disc at rest, or with `swept` the area

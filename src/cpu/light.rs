@@ -18,6 +18,21 @@ pub fn steps_of(light: f32) -> u32 {
     to_u32(light * LIGHT_STEPS + 0.5)
 }
 
+/// Below so many steps [`few_steps_of`] holds.
+pub(crate) const FEW_STEPS: f32 = 4_194_304.0;
+
+/// [`steps_of`] where these are fewer than [`FEW_STEPS`] and light is not negative. The processor's
+/// vectors have no conversion that clamps, as that of the language does; so this rounds by adding 2^23, beside
+/// which floats are 1 apart.
+#[inline]
+pub(crate) fn few_steps_of(light: f32) -> u32 {
+    const WHOLE_FROM: f32 = 8_388_608.0;
+    let steps = light * LIGHT_STEPS + 0.5;
+    let raised = steps + WHOLE_FROM;
+    let is_above = raised - WHOLE_FROM > steps;
+    (raised.to_bits().wrapping_sub(WHOLE_FROM.to_bits())).wrapping_sub(u32::from(is_above))
+}
+
 /// The light that the two limbs hold.
 #[inline]
 pub fn light_of(low: u32, high: u32) -> f32 {
@@ -77,14 +92,13 @@ impl LightSums {
         }
     }
 
-    /// Adds light to the three channels of a pixel.
-    #[inline]
-    pub(super) fn add_to(&self, pixel: usize, steps: [u32; 3]) {
-        for (sum, steps) in self.sums[3 * pixel..3 * pixel + 3].iter().zip(steps) {
-            if steps != 0 {
-                sum.fetch_add(u64::from(steps), Ordering::Relaxed);
-            }
-        }
+    /// The image in bands of so many rows, the last perhaps of fewer: each may be added to by itself.
+    pub(super) fn bands_mut(
+        &mut self,
+        rows: usize,
+    ) -> impl IndexedParallelIterator<Item = &mut [AtomicU64]> {
+        let row = 3 * self.width as usize;
+        self.sums.par_chunks_mut(rows * row)
     }
 
     /// The low and the high limb of channel `at`.
@@ -102,5 +116,29 @@ impl LightSums {
     /// Whether the image has no pixels.
     pub fn is_empty(&self) -> bool {
         self.sums.is_empty()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn few_steps_are_the_same_steps() {
+        let most = FEW_STEPS / LIGHT_STEPS;
+        let mut looked_at = 0;
+        // All floats would take minutes: one of some thousand of each exponent, and halves of steps.
+        for bits in (0..most.to_bits()).step_by(4093) {
+            let light = f32::from_bits(bits);
+            assert_eq!(few_steps_of(light), steps_of(light), "{light}");
+            looked_at += 1;
+        }
+        assert!(looked_at > 200_000);
+        for half in 0..1 << 20 {
+            let light = (half as f32 * 3.5) / LIGHT_STEPS;
+            for light in [light, light.next_down().max(0.0), light.next_up()] {
+                assert_eq!(few_steps_of(light), steps_of(light), "{light}");
+            }
+        }
     }
 }

@@ -96,6 +96,8 @@ pub struct CpuBackend {
     flames: Flames,
     spreads: Spreads,
     light: LightSums,
+    /// Room for what is seen of particles.
+    seen: Vec<draw::splat::Seen>,
     /// Whether anything covers; if not, what follows is empty.
     has_covers: bool,
     covers: Vec<Cover>,
@@ -162,6 +164,7 @@ impl CpuBackend {
             flames: Flames::new(plan)?,
             spreads: Spreads::new(plan),
             light: LightSums::new(plan.width, plan.height),
+            seen: Vec::new(),
             has_covers: plan.uses.covers,
             covers: Vec::new(),
             families: [0; 6],
@@ -368,15 +371,15 @@ impl CpuBackend {
     }
 
     /// Adds the light of the particles on that side of a planet's outline.
-    fn splat(&self, inputs: &FrameInputs, is_behind: bool) {
-        let (rows, light) = (&self.rows, &self.light);
+    fn splat(&mut self, inputs: &FrameInputs, is_behind: bool) {
         let (nearness, _) = self.surface_nearness.as_chunks::<4>();
-        let onto = draw::splat::Onto { light, nearness };
-        self.particles.par_chunks(CHUNK / 8).for_each(|chunk| {
-            for particle in chunk {
-                draw::splat::splat(particle, inputs, rows, onto, is_behind);
-            }
-        });
+        let view = draw::splat::View {
+            inputs,
+            rows: &self.rows,
+            nearness,
+            is_behind,
+        };
+        draw::splat::splat(&self.particles, view, &mut self.light, &mut self.seen);
     }
 
     fn keep_rows(&mut self, inputs: &FrameInputs) {

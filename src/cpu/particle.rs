@@ -1,14 +1,14 @@
 //! What a particle is made of, recomputed whenever it is asked for (Reeves 1983, 2.2 to 2.4).
 //! Twin of `wgsl/lib/particle.wgsl`, line by line.
 
-use glam::{UVec4, Vec3, Vec4};
+use glam::{UVec4, Vec3};
 
 use crate::exact::{
     at_least_zero, clamp_unit, f32_of_u32, max_exact, shared_constants, snap, to_i32,
 };
 use crate::layout::{Particle, ROW_LUMINANCE, SystemRow};
 use crate::plan::FrameInputs;
-use crate::rng::{pcg4d, signed_float, signed4};
+use crate::rng::{pcg4d, signed_float};
 
 shared_constants! {
     /// Streams of the hash: which attributes a draw is for.
@@ -85,14 +85,17 @@ pub fn lifetime_of(who: Identity, speed_and_lifetime: [f32; 4]) -> u32 {
 }
 
 /// Colour, transparency and size after `steps` frames of change (2.2, 2.3).
-#[inline]
+#[inline(always)]
 pub fn appearance_of(who: Identity, row: &SystemRow, steps: u32) -> Appearance {
     let random = draw(who, STREAM_COLOR);
+    let random_rate = draw(who, STREAM_RATES);
     let n = f32_of_u32(steps);
     let mean = row.color_mean;
     let half_width = row.color_var;
-    let varied = signed4(draw(who, STREAM_RATES)) * Vec4::from(row.color_rate_var);
-    let rate = Vec4::from(row.color_rate) + varied;
+    // Component by component: the processor's vectors are of several particles.
+    let rate = |channel: usize, random: u32| {
+        row.color_rate[channel] + signed_float(random) * row.color_rate_var[channel]
+    };
     let red = at_least_zero(mean[0] + signed_float(random.x) * half_width[0]);
     let green = at_least_zero(mean[1] + signed_float(random.y) * half_width[1]);
     let blue = at_least_zero(mean[2] + signed_float(random.z) * half_width[2]);
@@ -104,11 +107,11 @@ pub fn appearance_of(who: Identity, row: &SystemRow, steps: u32) -> Appearance {
         size_rate + signed_float(draw(who, STREAM_MOMENT).y) * row.ejection_and_light[3];
     Appearance {
         color: Vec3::new(
-            at_least_zero(red + n * rate.x),
-            at_least_zero(green + n * rate.y),
-            at_least_zero(blue + n * rate.z),
+            at_least_zero(red + n * rate(0, random_rate.x)),
+            at_least_zero(green + n * rate(1, random_rate.y)),
+            at_least_zero(blue + n * rate(2, random_rate.z)),
         ),
-        transparency: clamp_unit(clear + n * rate.w),
+        transparency: clamp_unit(clear + n * rate(3, random_rate.w)),
         size: at_least_zero(size + n * size_rate),
     }
 }

@@ -37,7 +37,7 @@ pub fn world_of(system: &SystemFrame, in_system: Vec3) -> Vec3 {
     )
 }
 
-#[inline]
+#[inline(always)]
 fn seen_at(view: &Frame, seen: Vec3, focal_px: f32) -> Projected {
     let scale = if view.flags & FRAME_ORTHOGRAPHIC != 0 {
         focal_px
@@ -54,7 +54,7 @@ fn seen_at(view: &Frame, seen: Vec3, focal_px: f32) -> Projected {
 }
 
 /// Where a world place is seen when the frame begins.
-#[inline]
+#[inline(always)]
 pub(crate) fn project(view: &Frame, world: Vec3) -> Projected {
     let seen = transform(
         view.view_from_world_x,

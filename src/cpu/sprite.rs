@@ -3,7 +3,8 @@
 
 use glam::{Vec3, Vec4};
 
-use crate::cpu::particle::{appearance_of, identity_of};
+use crate::cpu::disc::{LANES, reach_of};
+use crate::cpu::particle::{Appearance, Identity, appearance_of, identity_of};
 use crate::cpu::projection::{Projected, project, project_closing, world_of};
 use crate::cpu::reach::MOST_RADIUS_PX;
 use crate::exact::{inverse_square_root, less, min_exact};
@@ -28,16 +29,38 @@ pub(crate) struct Sprite {
 /// The sprite of `particle` in the frame of `inputs`; the row is that of its birth.
 #[inline]
 pub(crate) fn sprite_of(inputs: &FrameInputs, row: &SystemRow, particle: &Particle) -> Sprite {
-    let view = &inputs.frame;
     let system = &inputs.systems[particle.slot() as usize];
     let (who, age) = identity_of(particle, inputs);
     let look = appearance_of(who, row, age + 1);
-    let position = Vec3::from(particle.position());
-    let world = world_of(system, position);
-    let start = project(view, world);
+    let world = world_of(system, Vec3::from(particle.position()));
+    let start = project(&inputs.frame, world);
+    let radius_px = radius_of(look.size, start.scale);
+    finished(inputs, row, particle, look, world, start, radius_px)
+}
+
+/// The radius in pixels of what has that size where a unit spans so many.
+#[inline(always)]
+fn radius_of(size: f32, scale: f32) -> f32 {
+    min_exact(size * scale, MOST_RADIUS_PX)
+}
+
+/// The sprite of `particle`, which looks so and is there, when the frame begins.
+#[inline(always)]
+fn finished(
+    inputs: &FrameInputs,
+    row: &SystemRow,
+    particle: &Particle,
+    look: Appearance,
+    world: Vec3,
+    start: Projected,
+    radius_px: f32,
+) -> Sprite {
+    let view = &inputs.frame;
     let mut end = start;
     if row.kinds[1] == PARTICLE_STREAK {
+        let system = &inputs.systems[particle.slot() as usize];
         let velocity = Vec3::from(particle.velocity());
+        let position = Vec3::from(particle.position());
         end = project_closing(view, system, position + velocity * view.shutter);
     }
     let mut light = 1.0 - look.transparency;
@@ -50,11 +73,78 @@ pub(crate) fn sprite_of(inputs: &FrameInputs, row: &SystemRow, particle: &Partic
         world,
         start,
         end,
-        radius_px: min_exact(look.size * start.scale, MOST_RADIUS_PX),
+        radius_px,
         color: look.color * light,
         surface: look.color.extend(1.0 - look.transparency),
         square: row.kinds[1] == PARTICLE_RECTANGLE,
         conserved: row.kinds[2] & STREAK_CONSTANT == 0,
+    }
+}
+
+/// [`sprite_of`] of particles that one system has borne in one frame, in turn, and how far each reaches at
+/// rest: what most of the time
+/// goes to is done in loops over all of them, so that the processor takes several in one instruction.
+#[inline]
+pub(crate) fn each_sprite(
+    inputs: &FrameInputs,
+    row: &SystemRow,
+    particles: &[Particle; LANES],
+    mut take: impl FnMut(Sprite, f32),
+) {
+    let system = &inputs.systems[particles[0].slot() as usize];
+    let (first, age) = identity_of(&particles[0], inputs);
+    let mut indices = [0; LANES];
+    let mut places = [[0.0; LANES]; 3];
+    for (lane, particle) in particles.iter().enumerate() {
+        indices[lane] = particle.index();
+        [places[0][lane], places[1][lane], places[2][lane]] = particle.position();
+    }
+    let mut looks = [[0.0; LANES]; 5];
+    for (lane, index) in indices.into_iter().enumerate() {
+        let look = appearance_of(Identity { index, ..first }, row, age + 1);
+        looks[0][lane] = look.color.x;
+        looks[1][lane] = look.color.y;
+        looks[2][lane] = look.color.z;
+        looks[3][lane] = look.transparency;
+        looks[4][lane] = look.size;
+    }
+    let mut worlds = [[0.0; LANES]; 3];
+    let mut starts = [[0.0; LANES]; 5];
+    for lane in 0..LANES {
+        let place = Vec3::new(places[0][lane], places[1][lane], places[2][lane]);
+        let world = world_of(system, place);
+        worlds[0][lane] = world.x;
+        worlds[1][lane] = world.y;
+        worlds[2][lane] = world.z;
+        let start = project(&inputs.frame, world);
+        starts[0][lane] = start.x;
+        starts[1][lane] = start.y;
+        starts[2][lane] = start.depth;
+        starts[3][lane] = start.distance_squared;
+        starts[4][lane] = start.scale;
+    }
+    let mut radii = [0.0; LANES];
+    let mut reaches = [0.0; LANES];
+    for (lane, reach) in reaches.iter_mut().enumerate() {
+        radii[lane] = radius_of(looks[4][lane], starts[4][lane]);
+        *reach = reach_of(radii[lane]);
+    }
+    for (lane, particle) in particles.iter().enumerate() {
+        let look = Appearance {
+            color: Vec3::new(looks[0][lane], looks[1][lane], looks[2][lane]),
+            transparency: looks[3][lane],
+            size: looks[4][lane],
+        };
+        let world = Vec3::new(worlds[0][lane], worlds[1][lane], worlds[2][lane]);
+        let start = Projected {
+            x: starts[0][lane],
+            y: starts[1][lane],
+            depth: starts[2][lane],
+            distance_squared: starts[3][lane],
+            scale: starts[4][lane],
+        };
+        let sprite = finished(inputs, row, particle, look, world, start, radii[lane]);
+        take(sprite, reaches[lane]);
     }
 }
 

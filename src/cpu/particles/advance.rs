@@ -103,3 +103,101 @@ fn advance_block(block: &mut [Particle; LANES], systems: &[SystemFrame], winds: 
         *particle = moved(particle, system, Some(lane_of(&flow, lane)));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::layout::{WIND_ATTRACTOR, WIND_CURL, WIND_NOISE, WIND_SOURCE, WIND_VORTEX};
+    use crate::rng::{pcg4d, signed_float};
+    use glam::UVec4;
+
+    /// As many particles of systems whose slots `slot_of` tells.
+    fn particles(count: u32, slot_of: impl Fn(u32) -> u32) -> Vec<Particle> {
+        let particle = |at: u32| {
+            let [place, velocity] = [0, 1].map(|stream| {
+                let random = pcg4d(UVec4::new(7, 3, at, stream));
+                [random.x, random.y, random.z].map(|word| bits_of(3.0 * signed_float(word)))
+            });
+            let with = |[x, y, z]: [u32; 3], w: u32| [x, y, z, w];
+            Particle {
+                position_and_index: with(place, at),
+                velocity_and_birth: with(velocity, slot_of(at) << 16),
+            }
+        };
+        let particles: Vec<Particle> = (0..count).map(particle).collect();
+        let slots = particles.iter().enumerate();
+        slots.for_each(|(at, it)| assert_eq!(it.slot(), slot_of(at as u32)));
+        particles
+    }
+
+    /// Two turned and moved systems whom the wind drags, one whom it does not, and one that stays.
+    fn systems() -> Vec<SystemFrame> {
+        let system = |drag: f32, flags: u32| SystemFrame {
+            world_from_system_x: [0.6, -0.8, 0.0, 0.3 + drag],
+            world_from_system_y: [0.8, 0.6, 0.0, -1.2],
+            world_from_system_z: [0.0, 0.0, 1.0, 0.7],
+            acceleration: [0.01, -0.02, 0.005, drag],
+            flags,
+            ..SystemFrame::default()
+        };
+        vec![
+            system(0.12, 0),
+            system(0.5, 0),
+            system(0.0, 0),
+            system(0.2, SYSTEM_STILL),
+        ]
+    }
+
+    /// Winds of every kind; noise of several octaves, folded and not.
+    fn winds() -> Vec<Wind> {
+        let kinds = [
+            [WIND_NOISE, 1, 5, 0],
+            [WIND_NOISE, 3, 6, 1],
+            [WIND_CURL, 2, 7, 0],
+            [WIND_VORTEX, 0, 0, 0],
+            [WIND_SOURCE, 0, 0, 0],
+            [WIND_ATTRACTOR, 0, 0, 0],
+            [0; 4],
+        ];
+        let wind = |kinds: [u32; 4]| Wind {
+            kinds,
+            place: [0.3, -0.4, 0.5, 0.8],
+            aim: [0.0, 0.6, 0.8, 0.03],
+            scale: [0.9, 1.3, 0.7, 0.5],
+            offset: [0.1, 0.2, 0.3, 0.0],
+        };
+        kinds.map(wind).to_vec()
+    }
+
+    #[test]
+    fn several_at_a_time_are_each_alone() {
+        let systems = systems();
+        let every = winds();
+        // The last: blocks of one system, of two, of those without drag and of those that stay.
+        let slots: [&dyn Fn(u32) -> u32; 5] =
+            [&|_| 0, &|_| 2, &|_| 3, &|at| at / 9, &|at| (at / 20) % 4];
+        for winds in (0..every.len())
+            .map(|at| &every[at..=at])
+            .chain([&every[..], &[]])
+        {
+            for (case, slot_of) in slots.iter().enumerate() {
+                for count in [0, 1, 15, 16, 17, 33, 80] {
+                    if case == 3 && count > 36 {
+                        continue;
+                    }
+                    let particles = particles(count, slot_of);
+                    let mut got = vec![Particle::default(); particles.len()];
+                    advance_all(particles.iter(), &mut got, &systems, winds);
+                    let alone = |it: &Particle| advance(it, &systems[it.slot() as usize], winds);
+                    let expected: Vec<Particle> = particles.iter().map(alone).collect();
+                    assert!(
+                        got == expected,
+                        "{count} particles of case {case}, {} winds of kinds {:?}",
+                        winds.len(),
+                        winds.first().map(|wind| wind.kinds)
+                    );
+                }
+            }
+        }
+    }
+}
