@@ -11,7 +11,8 @@ const HEADER: &str = "adapter,driver,backend,exact,motes,commit,kind,scene,parti
                       median_ms,p10_ms,p90_ms,samples,outliers,items,bytes,gb_per_s,share_of_copy,share_of_frame";
 
 /// The records as CSV (RFC 4180, lines end with a line feed). `kind` is micro, pass, or one of
-/// frame, step, draw and wall for the whole of a run.
+/// frame, step, draw and wall for the whole of a run. Lines of sweeps are not among them: a line here is
+/// one measurement at one count, and what reads it would count them twice.
 pub fn csv(records: &[Record]) -> String {
     let mut text = HEADER.to_owned() + "\n";
     for record in records {

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 use serde_json::Value;
 
+use super::fits::{Sweep, sweeps};
 use super::readable::Readable;
 use super::record::{Measure, Record, SCHEMA};
 use super::spread::Spread;
@@ -247,11 +248,25 @@ fn check_spread(ms: &Spread) -> Result<(), String> {
     }
 }
 
+/// A record as it is written: with what follows from it, which is reckoned anew whenever it is read.
+#[derive(Serialize)]
+struct Written<'a> {
+    #[serde(flatten)]
+    record: &'a Record,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    lines: Vec<Sweep<'a>>,
+}
+
 /// The records as JSON, keys in their documented order: one by itself, several in an array.
 pub fn records_json(records: &[Record]) -> String {
     let mut bytes = Vec::new();
     let mut serializer = serde_json::Serializer::with_formatter(&mut bytes, Readable::default());
-    let done = match records {
+    let written = |record| Written {
+        record,
+        lines: sweeps(&record.runs),
+    };
+    let records: Vec<Written<'_>> = records.iter().map(written).collect();
+    let done = match records.as_slice() {
         [record] => record.serialize(&mut serializer),
         records => records.serialize(&mut serializer),
     };

@@ -1,5 +1,7 @@
 //! Sweeps as straight lines: what a frame takes with nothing in it, and what each one more costs.
 
+use serde::Serialize;
+
 use super::record::{Part, Run};
 
 /// Counts below this say what a frame costs, not what one more particle does.
@@ -9,11 +11,12 @@ const MANY: f64 = 1e4;
 const LEAST_SHARE: f64 = 0.01;
 
 /// What takes `a_ms` and `b_ns` each.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Fit {
     /// A pass, or `whole step`, `whole draw`, `whole frame`.
     pub name: String,
     /// Half of the frame that a pass belongs to.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub part: Option<Part>,
     /// Milliseconds with nothing in it.
     pub a_ms: f64,
@@ -23,6 +26,7 @@ pub struct Fit {
     pub off: f64,
     /// The least and the most that each one more takes from one count to the next, of counts from 10^4
     /// on; `None` where there are fewer than three.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub steps_ns: Option<[f64; 2]>,
 }
 
@@ -128,4 +132,27 @@ pub(super) fn by_scene(runs: &[Run]) -> Vec<(&str, Vec<&Run>)> {
         }
     }
     scenes
+}
+
+/// The lines of one scene of a record.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(super) struct Sweep<'a> {
+    scene: &'a str,
+    counts: Vec<u64>,
+    fits: Vec<Fit>,
+}
+
+/// Of each scene that was measured at three counts or more.
+pub(super) fn sweeps(runs: &[Run]) -> Vec<Sweep<'_>> {
+    let sweep = |(scene, runs): (_, Vec<&Run>)| {
+        let fits = fits(&runs);
+        let mut counts: Vec<u64> = runs.iter().map(|run| run.particles).collect();
+        counts.sort_unstable();
+        (!fits.is_empty()).then_some(Sweep {
+            scene,
+            counts,
+            fits,
+        })
+    };
+    by_scene(runs).into_iter().filter_map(sweep).collect()
 }

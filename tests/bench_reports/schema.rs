@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use jsonschema::Validator;
-use motes::bench::{Clock, Record, Spread, parse_records, record_schema, records_json};
+use motes::bench::{Clock, Record, Spread, fits, parse_records, record_schema, records_json};
 use serde_json::{Value, json};
 
 use crate::synthetic::LLVMPIPE;
@@ -18,7 +18,7 @@ fn validator() -> Validator {
 
 /// A record with every key.
 fn full() -> Record {
-    let mut record = LLVMPIPE.record(&[1000, 10_000]);
+    let mut record = LLVMPIPE.record(&[1000, 10_000, 100_000, 1_000_000]);
     record.began_unix_secs = Some(1);
     record.driver_version = Some("1".into());
     record.warnings.push("a".into());
@@ -40,7 +40,8 @@ fn full() -> Record {
 }
 
 fn value(record: &Record) -> Value {
-    serde_json::to_value(record).expect("a record is JSON")
+    let written = records_json(std::slice::from_ref(record));
+    serde_json::from_str(&written).expect("a record is JSON")
 }
 
 /// Keys of an object in the record, and those that the schema has for it.
@@ -66,6 +67,40 @@ fn every_key_is_described_and_every_description_is_of_a_key() {
     let pass = &run["passes"][0];
     keys_agree(pass, "measure");
     keys_agree(&pass["ms"], "spread");
+    let sweep = &record["lines"][0];
+    keys_agree(sweep, "sweep");
+    keys_agree(&sweep["fits"][0], "fit");
+}
+
+/// Readers take the runs, and nobody has to believe lines that somebody wrote beside them.
+#[test]
+fn a_sweep_is_written_as_lines_that_follow_from_its_runs() {
+    let sweep = LLVMPIPE.record(&[10_000, 1_000_000, 100_000]);
+    let written = value(&sweep);
+    assert_eq!(written["lines"][0]["scene"], json!("million"));
+    assert_eq!(
+        written["lines"][0]["counts"],
+        json!([10_000, 100_000, 1_000_000])
+    );
+    let runs: Vec<_> = sweep.runs.iter().collect();
+    let fits = fits(&runs);
+    let lines = written["lines"][0]["fits"].as_array().expect("an array");
+    assert_eq!(lines.len(), fits.len());
+    for (line, fit) in lines.iter().zip(&fits) {
+        assert_eq!(line["name"], json!(fit.name));
+        assert_eq!(line["part"].is_null(), fit.part.is_none());
+        assert_eq!(
+            [&line["a_ms"], &line["b_ns"], &line["off"]],
+            [&json!(fit.a_ms), &json!(fit.b_ns), &json!(fit.off)]
+        );
+        assert_eq!(line["steps_ns"], json!(fit.steps_ns));
+    }
+    let mut wrong = written.clone();
+    wrong["lines"][0]["fits"][0]["b_ns"] = json!(1e9);
+    let read = parse_records(wrong.to_string().as_bytes()).expect("a record");
+    assert_eq!(value(&read[0]), written);
+    let two = value(&LLVMPIPE.record(&[10_000, 100_000]));
+    assert!(two.get("lines").is_none(), "two counts make any line");
 }
 
 #[test]
@@ -121,10 +156,11 @@ fn schema_and_reader_refuse_the_same() {
                 }
                 let taken = parse_records(changed.to_string().as_bytes());
                 // The reader takes more where nothing is misread: null for a key that may be missing, rates
-                // that it does not use; and it alone knows that percentiles have an order.
+                // that it does not use, lines that follow from runs; and it alone knows that percentiles have an order.
                 let reader_is_looser = matches!(&wrong, Some(Value::Null))
                     || key.ends_with("gb_per_s")
                     || key == "share_of_copy"
+                    || key == "lines"
                     || key == "cpu_seconds"
                     || (key == "options" && wrong.is_some())
                     || wrong.is_none();
