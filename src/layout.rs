@@ -492,6 +492,18 @@ pub struct FrameStats {
     pub marks_live: u32,
 }
 
+impl FrameStats {
+    /// What found no room: births, systems of systems, control points, flames.
+    pub fn roomless(&self) -> [u32; 4] {
+        [
+            self.dropped,
+            self.systems_requested.saturating_sub(self.systems_born),
+            self.points_requested.saturating_sub(self.points_born),
+            self.flames_requested.saturating_sub(self.flames_born),
+        ]
+    }
+}
+
 /// The arguments of one indirect dispatch.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]

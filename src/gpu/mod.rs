@@ -329,6 +329,14 @@ impl GpuBackend {
             None => Ok(Vec::new()),
         })
     }
+
+    /// Waits until the device has done all that it was given.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn wait(&mut self) -> Result<(), BackendError> {
+        self.watched(|run| run.gpu.wait())
+    }
 }
 
 impl Backend for GpuBackend {

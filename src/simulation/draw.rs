@@ -35,6 +35,17 @@ impl Simulation {
         Ok(())
     }
 
+    /// Waits until the device has done all that it was given; the processor always has.
+    ///
+    /// # Errors
+    /// The machine fails.
+    pub fn wait(&mut self) -> Result<(), SimulationError> {
+        match self.device_run() {
+            Some(run) => Ok(run.wait()?),
+            None => Ok(()),
+        }
+    }
+
     /// Milliseconds that each kernel took since the last call, in order; none unless the run is on a
     /// device and timed ([`crate::gpu::GpuOptions::timed`]).
     ///

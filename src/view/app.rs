@@ -44,6 +44,8 @@ pub struct App {
     save_path: String,
     counts: String,
     counted_at: Option<u32>,
+    /// The run that was counted last, by how many there were before it.
+    counted_run: u32,
     /// What found no room since the run began: births, systems' systems, control points, flames.
     roomless: [u64; 4],
     /// A file that was there when somebody saved to it: the next time it is written over.
@@ -93,6 +95,7 @@ impl App {
             save_path,
             counts: String::new(),
             counted_at: None,
+            counted_run: 0,
             roomless: [0; 4],
             may_replace: None,
             adapter,
@@ -122,10 +125,7 @@ impl App {
 
     /// Reads the scene's files again and begins anew at the same frame, if they are right.
     pub(super) fn reload(&mut self) {
-        let outcome = self.session.reload();
-        if outcome.is_ok() {
-            self.counted_at = None;
-        }
+        let outcome = self.session.read_again();
         self.did(outcome, |left_out| {
             let what = match left_out.as_slice() {
                 [] => "read the scene again".to_owned(),
@@ -140,6 +140,9 @@ impl App {
 
     fn count(&mut self) {
         let frame = self.session.frame();
+        if self.counted_run != self.session.began() {
+            (self.counted_run, self.counted_at) = (self.session.began(), None);
+        }
         let is_due = self
             .counted_at
             .is_none_or(|at| frame < at || frame >= at + COUNT_STEPS);
@@ -161,13 +164,7 @@ impl App {
         }
         self.counted_at = Some(frame);
         for line in &lines {
-            let lost = [
-                line.dropped,
-                line.systems_requested.saturating_sub(line.systems_born),
-                line.points_requested.saturating_sub(line.points_born),
-                line.flames_requested.saturating_sub(line.flames_born),
-            ];
-            for (sum, lost) in self.roomless.iter_mut().zip(lost) {
+            for (sum, lost) in self.roomless.iter_mut().zip(line.roomless()) {
                 *sum += u64::from(lost);
             }
         }
@@ -239,13 +236,14 @@ impl App {
         if ui.ctx().egui_wants_keyboard_input() {
             return;
         }
-        let (space, right, home, undo) = ui.input(|input| {
+        let (space, right, home, undo, escape) = ui.input(|input| {
             let pressed = |key| input.key_pressed(key);
             (
                 pressed(egui::Key::Space),
                 pressed(egui::Key::ArrowRight),
                 pressed(egui::Key::Home),
                 input.modifiers.command && pressed(egui::Key::Z),
+                pressed(egui::Key::Escape),
             )
         });
         if space {
@@ -260,6 +258,9 @@ impl App {
         if undo {
             self.undo();
         }
+        if escape {
+            self.session.stay();
+        }
     }
 
     fn step(&mut self) {
@@ -269,8 +270,7 @@ impl App {
     }
 
     fn restart(&mut self, frame: u32) {
-        let outcome = self.session.restart(frame);
-        self.counted_at = None;
+        let outcome = self.session.go_to(frame);
         self.did(outcome, |()| None);
     }
 
@@ -308,7 +308,6 @@ impl App {
             let seed = self.session.scene().seed;
             if let Some(seed) = self.seed_slot.show(ui, seed, "seed ", i64::MAX as u64) {
                 let outcome = self.session.reseed(seed);
-                self.counted_at = None;
                 self.did(outcome, |()| None);
             }
             if ui
@@ -320,6 +319,20 @@ impl App {
                 self.is_stale = true;
             }
         });
+        if let Some((to, at)) = self.session.on_the_way() {
+            ui.horizontal(|ui| {
+                let share = at as f32 / to.max(1) as f32;
+                let told = format!("on the way to frame {to}: {at}");
+                ui.add(
+                    egui::ProgressBar::new(share)
+                        .text(told)
+                        .desired_width(360.0),
+                );
+                if ui.button("Stay").on_hover_text("escape").clicked() {
+                    self.session.stay();
+                }
+            });
+        }
         if let Some(hint) = self.session.touch_hint() {
             ui.label(RichText::new(hint).weak());
         }

@@ -89,7 +89,9 @@ pub(super) fn is_fixed(knob: &Knob) -> bool {
         "stroke_shadow" => is_same(text, "0"),
         _ => false,
     };
-    is_stroke || FIXED.iter().any(is_it)
+    // Clouds have places for shadows from the beginning, or none.
+    let is_unlit = path == "light.shadow_radius" && text.is_empty();
+    is_stroke || is_unlit || FIXED.iter().any(is_it)
 }
 
 /// Shows the knob; what was done to it. `start` is what it would be set to where nothing is.
@@ -128,6 +130,8 @@ fn row(ui: &mut Ui, knob: &Knob, label: &str, start: &str) -> Touched {
         Presence::Default(default) => {
             (!is_same(text, default)).then(|| format!("default: {default}"))
         }
+        // Clouds that throw shadows throw them as long as the run lasts.
+        Presence::Optional(_) if knob.path == "light.shadow_radius" => None,
         Presence::Optional(_) => Some("as if the scene did not say it".to_owned()),
         Presence::Required(_) => None,
     };

@@ -14,6 +14,7 @@
 //! 9 key Space
 //! 12 detail 2 lines             how much is drawn: 0 all, 4 the least; flames as lines
 //! 20 undo
+//! 24 frame 90                   begun again, and at that frame
 //! 30 shot window.png            the window after this pass
 //! 40 save mine.toml             the scene, and what was done beside it
 //! 50 end                        else the script ends with its last line
@@ -45,6 +46,7 @@ enum Action {
     Key(egui::Key),
     Detail(Detail),
     Undo,
+    Frame(u32),
     Shot(PathBuf),
     Save(PathBuf),
     End,
@@ -68,7 +70,7 @@ impl std::fmt::Display for ScriptError {
         write!(
             f,
             "error: {}\n  = help: a line is `PASS ACTION`: turn PATH=VALUE, move X Y, press [right], release [right], \
-             wheel NOTCHES, key NAME, detail 0..4 [lines], undo, shot FILE.png, save FILE.toml or end; passes in order; `#` \
+             wheel NOTCHES, key NAME, detail 0..4 [lines], undo, frame FRAME, shot FILE.png, save FILE.toml or end; passes in order; `#` \
              begins a comment",
             self.0
         )
@@ -146,6 +148,11 @@ fn action(text: &str) -> Option<Action> {
             Some(Action::Move(number(x)?, number(y.trim())?))
         }
         "wheel" => Some(Action::Wheel(number(rest)?)),
+        "frame" => rest
+            .parse()
+            .ok()
+            .filter(|at| *at <= MOST_PASS)
+            .map(Action::Frame),
         "key" => egui::Key::from_name(rest).map(Action::Key),
         "detail" => {
             let (level, lines) = match rest.split_once(' ') {
@@ -209,7 +216,9 @@ pub fn play(
         let now = script.actions.iter().filter(|(at, ..)| *at == pass);
         let mut events = Vec::new();
         let mut after = Vec::new();
+        let mut touched = None;
         for (_, line, action) in now {
+            let known = events.len();
             let scene = |told: Told| WindowError::Scene(script.placed(*line, &told));
             match action {
                 Action::Turn(path, value) => app.session.turn(path, value).map_err(scene)?,
@@ -218,6 +227,10 @@ pub fn play(
                     app.is_stale = true;
                 }
                 Action::Undo => drop(app.session.undo().map_err(scene)?),
+                Action::Frame(frame) => {
+                    app.session.restart(*frame).map_err(scene)?;
+                    app.is_stale = true;
+                }
                 Action::Move(x, y) => {
                     pointer = egui::pos2(*x, *y);
                     events.push(egui::Event::PointerMoved(pointer));
@@ -242,10 +255,16 @@ pub fn play(
                     repeat: false,
                     modifiers: egui::Modifiers::NONE,
                 })),
-                Action::Shot(_) | Action::Save(_) | Action::End => after.push(action),
+                Action::Shot(_) | Action::Save(_) | Action::End => after.push((*line, action)),
+            }
+            if events.len() > known {
+                touched = Some(*line);
             }
         }
         app.pass(frame);
+        if let Some((told, true)) = &app.message {
+            return Err(WindowError::Scene(told.clone()));
+        }
         let size = egui::vec2(width as f32, height as f32);
         let input = egui::RawInput {
             screen_rect: Some(egui::Rect::from_min_size(egui::Pos2::ZERO, size)),
@@ -260,15 +279,21 @@ pub fn play(
         stage.refresh(app);
         stage.paint(&ctx, output, &view, size_px);
         stage.faults.check()?;
-        for action in after {
+        for (line, action) in after {
+            let placed = |error: WindowError| match error {
+                WindowError::Scene(told) => WindowError::Scene(script.placed(line, &told)),
+                other => other,
+            };
             match action {
                 Action::Shot(path) => shoot(&stage, &target, path)?,
-                Action::Save(path) => drop(app.session.save_as(path)?),
+                Action::Save(path) => drop(app.session.save_as(path).map_err(placed)?),
                 _ => return Ok(()),
             }
         }
         if let Some((told, true)) = &app.message {
-            return Err(WindowError::Scene(told.clone()));
+            // The pointer and keys bring it about, if any was used now.
+            let told = touched.map_or_else(|| told.clone(), |line| script.placed(line, told));
+            return Err(WindowError::Scene(told));
         }
     }
     Ok(())

@@ -50,6 +50,7 @@ pub struct Source {
 
 /// What a [`Source`] was at a time.
 pub(super) struct AsRead {
+    sets: Vec<String>,
     read: Option<Rc<Files>>,
     room: Option<String>,
     kernels: Option<(PathBuf, Arc<KernelTexts>)>,
@@ -158,6 +159,7 @@ impl Source {
     /// All that depends on what was read last.
     pub(super) fn as_read(&self) -> AsRead {
         AsRead {
+            sets: self.sets.clone(),
             read: self.read.clone(),
             room: self.room.clone(),
             kernels: self.kernels.clone(),
@@ -168,12 +170,13 @@ impl Source {
     /// Makes it what it was.
     pub(super) fn put_back(&mut self, before: AsRead) {
         let AsRead {
+            sets,
             read,
             room,
             kernels,
             detail,
         } = before;
-        (self.read, self.room) = (read, room);
+        (self.sets, self.read, self.room) = (sets, read, room);
         (self.kernels, self.detail) = (kernels, detail);
     }
 
@@ -203,15 +206,15 @@ impl Source {
         Ok(())
     }
 
-    /// The run at `frame`.
-    pub(super) fn begin(
+    /// A run up to that end on its way to that frame: at the first frame that matters to it, none stepped.
+    pub(super) fn set_out(
         &self,
         scene: &Scene,
         done: &Recording,
-        frame: u32,
+        (frame, frame_end): (u32, u32),
     ) -> Result<Simulation, Told> {
-        let mut simulation = self.prepare(scene, done, frame_end(scene, frame))?;
-        simulation.seek(frame).map_err(told)?;
+        let mut simulation = self.prepare(scene, done, frame_end)?;
+        simulation.begin_at(simulation.plan().restart_frame(frame));
         Ok(simulation)
     }
 

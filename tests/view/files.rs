@@ -24,17 +24,9 @@ ramp = [
 ]
 "#;
 
-fn session_of(text: &str) -> (tempfile::TempDir, Session) {
-    let folder = tempfile::tempdir().expect("a folder");
-    let scene = folder.path().join("first.toml");
-    std::fs::write(&scene, text).expect("it is written");
-    let session = Session::new(source(&scene, &[])).expect("it begins");
-    (folder, session)
-}
-
 #[test]
 fn changes_of_one_frame_are_replayed_in_their_order() {
-    let (folder, mut session) = session_of(FLAME);
+    let (folder, mut session) = begun(FLAME);
     steps(&mut session, 3);
     let [first, last] = ["fire.match.ramp.0.age", "fire.match.ramp.1.age"];
     session.turn(first, "0.4").expect_err("0.4 is after 0.1");
@@ -72,7 +64,7 @@ fn what_a_scene_that_is_read_again_has_no_keys_for_is_left_out_and_told() {
 
 #[test]
 fn what_alone_does_not_fit_is_left_out_alone() {
-    let (folder, mut session) = session_of(FLAME);
+    let (folder, mut session) = begun(FLAME);
     steps(&mut session, 2);
     session
         .turn("fire.match.noisiness", "0.1")
@@ -81,7 +73,7 @@ fn what_alone_does_not_fit_is_left_out_alone() {
         .turn("fire.match.ramp.1.alpha", "0.3")
         .expect("it turns");
     steps(&mut session, 2);
-    let file = folder.path().join("first.toml");
+    let file = folder.path().join("own.toml");
     let one = FLAME.lines().filter(|line| !line.contains("age = 0.1"));
     let one: Vec<&str> = one.collect();
     std::fs::write(&file, one.join("\n")).expect("it is written");
@@ -93,7 +85,7 @@ fn what_alone_does_not_fit_is_left_out_alone() {
 
 #[test]
 fn knobs_show_what_a_click_has_changed() {
-    let (_folder, mut session) = session_of(FLOCK);
+    let (_folder, mut session) = begun(FLOCK);
     steps(&mut session, 2);
     let goal = |session: &Session| {
         let mut knobs = session.knobs().iter();
@@ -116,7 +108,7 @@ fn what_lives_for_ever_is_played_past_the_scenes_frames_and_begun_again_there() 
     let text = SCENE
         .replace("frames = 40", "frames = 5")
         .replace("lifetime = 9\n", "");
-    let (_folder, mut session) = session_of(&text);
+    let (_folder, mut session) = begun(&text);
     steps(&mut session, 30);
     let (frame, before) = (session.frame(), digest(&mut session));
     steps(&mut session, 3);
@@ -209,7 +201,7 @@ fn what_holds_for_a_whole_run_is_not_turned() {
 #[test]
 fn whatever_turns_is_replayed() {
     for text in [SCENE, FLAME, FLOCK] {
-        let (folder, mut session) = session_of(text);
+        let (folder, mut session) = begun(text);
         steps(&mut session, 2);
         let mut knobs: Vec<_> = session.knobs().to_vec();
         // It is given to the scene by `--set`, which the replay here has not.

@@ -8,6 +8,7 @@ mod detail;
 mod files;
 mod table;
 mod touch;
+mod way;
 mod widgets;
 
 use std::path::Path;
@@ -40,9 +41,18 @@ fn source(scene: &Path, sets: &[&str]) -> Source {
 
 /// A folder with the scene in it, and a session of it.
 fn session() -> (tempfile::TempDir, Session) {
+    session_in("jet.toml", SCENE)
+}
+
+/// A folder with a scene of that text in it, `own.toml`, and a session of it.
+fn begun(text: &str) -> (tempfile::TempDir, Session) {
+    session_in("own.toml", text)
+}
+
+fn session_in(name: &str, text: &str) -> (tempfile::TempDir, Session) {
     let folder = tempfile::tempdir().expect("a folder");
-    let scene = folder.path().join("jet.toml");
-    std::fs::write(&scene, SCENE).expect("it is written");
+    let scene = folder.path().join(name);
+    std::fs::write(&scene, text).expect("it is written");
     let session = Session::new(source(&scene, &[])).expect("it begins");
     (folder, session)
 }
@@ -359,6 +369,7 @@ fn wrong_scripts_and_scenes_are_told_with_their_place() {
         ),
         ("0 turn seed=4\n", "play.txt:1: "),
         ("0 shot /proc/x.png\n", "error: /proc/x.png: "),
+        ("0 frame 9 9\n", "play.txt:1: no action"),
         ("4294967295 end\n", "play.txt:1: a pass after 1,000,000"),
         // It begins no comment.
         ("0 turn title=\"a#b\"\n", "`title` changes nothing in a run"),

@@ -43,14 +43,6 @@ inverse_cohesion = 0.02
 flame = [{ position = [-0.6, 0, 0] }, { position = [0.6, 0, 0] }]
 "#;
 
-fn begun(text: &str) -> (tempfile::TempDir, Session) {
-    let folder = tempfile::tempdir().expect("a folder");
-    let scene = folder.path().join("scene.toml");
-    std::fs::write(&scene, text).expect("it is written");
-    let session = Session::new(source(&scene, &[])).expect("it begins");
-    (folder, session)
-}
-
 /// What there is after so many frames, where a place was lit by a click and a knob was turned, or not.
 struct Counts {
     points: usize,

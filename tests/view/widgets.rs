@@ -30,6 +30,15 @@ impl Desk {
     fn pass(&mut self, events: Vec<Event>) {
         let frame = Duration::from_secs_f64(1.0 / 24.0);
         self.app.pass(frame);
+        self.show(events);
+    }
+
+    /// What is shown, and no time passes.
+    fn look(&mut self) {
+        self.show(Vec::new());
+    }
+
+    fn show(&mut self, events: Vec<Event>) {
         let input = egui::RawInput {
             screen_rect: Some(Rect::from_min_size(Pos2::ZERO, vec2(1200.0, 2600.0))),
             time: Some(f64::from(self.passes) / 24.0),
@@ -45,6 +54,13 @@ impl Desk {
         self.shown.clear();
         for clipped in &output.shapes {
             note(&clipped.shape, clipped.clip_rect, &mut self.shown);
+        }
+    }
+
+    /// Waits until the run is at the frame that it is on its way to.
+    fn come(&mut self) {
+        while self.app.session.on_the_way().is_some() {
+            self.wait(1);
         }
     }
 
@@ -161,14 +177,6 @@ fn note(shape: &Shape, clip: Rect, shown: &mut Vec<(String, Rect)>) {
     }
 }
 
-fn begun(text: &str) -> (tempfile::TempDir, Session) {
-    let folder = tempfile::tempdir().expect("a folder");
-    let scene = folder.path().join("own.toml");
-    std::fs::write(&scene, text).expect("it is written");
-    let session = Session::new(source(&scene, &[])).expect("it begins");
-    (folder, session)
-}
-
 #[test]
 fn frames_and_seeds_are_written_and_dragged_in() {
     let (_folder, session) = session();
@@ -178,6 +186,7 @@ fn frames_and_seeds_are_written_and_dragged_in() {
     desk.write(desk.slot("frame"), "3");
     assert!(desk.app.session.frame() > 10, "it plays on meanwhile");
     desk.key(Key::Enter);
+    desk.come();
     assert_eq!(desk.app.session.frame(), 3);
     desk.wait(4);
     desk.write(desk.slot("seed"), "99");
@@ -195,6 +204,7 @@ fn frames_and_seeds_are_written_and_dragged_in() {
     desk.wait(1);
     let before = desk.app.session.frame();
     desk.drag(desk.slot("frame"), 10.0, 4);
+    desk.come();
     let after = desk.app.session.frame();
     assert!(
         (before + 5..=before + 12).contains(&after),
@@ -582,4 +592,47 @@ fn births_that_find_no_room_are_told() {
     desk_of_room.wait(2);
     assert!(!is_told(&desk_of_room));
     desk.wait(1);
+}
+
+#[test]
+fn a_run_on_its_way_is_shown_and_can_be_stopped() {
+    let (_folder, session) = session();
+    let mut desk = Desk::new(session);
+    let before = desk.app.session.frame();
+    let is_shown = |desk: &Desk| {
+        let mut shown = desk.shown.iter();
+        shown.any(|(text, _)| text.starts_with("on the way to frame 30"))
+    };
+    desk.app.session.go_to(30).expect("it sets out");
+    // No time passes, or it would be there. A panel has its new height in the second pass.
+    desk.look();
+    desk.look();
+    assert!(is_shown(&desk), "{:?}", desk.shown);
+    desk.app.session.stay();
+    desk.wait(1);
+    assert!(!is_shown(&desk));
+    assert_eq!(desk.app.session.frame(), before);
+    desk.app.session.go_to(30).expect("it sets out");
+    desk.come();
+    assert_eq!(desk.app.session.frame(), 30);
+}
+
+#[test]
+fn clouds_without_shadows_stay_so_in_a_run() {
+    let cloud = "frames = 20\nimage = { width = 40, height = 30 }\n\
+        camera = { position = [0, 0, 5], target = [0, 0, 0] }\n\
+        [light]\ndirection = [0, -1, 0]\nRADIUS\n\
+        [[system]]\nname = \"cloud\"\ninitial_mean_parts = 30\nlifetime = 9\n\
+        blend = \"over\"\nshading = \"lit_cloud\"\nsize = 0.3\n\
+        generation_shape = { kind = \"sphere\", radius = 1 }\nspeed = 0.1\ncolor = [0.5, 0.5, 0.5]\n";
+    let key = "light.shadow_radius";
+    let (_folder, mut session) = begun(&cloud.replace("RADIUS", ""));
+    assert!(session.is_fixed(key));
+    session
+        .turn(key, "2.0")
+        .expect_err("there are no places for it");
+    let (_folder, mut session) = begun(&cloud.replace("RADIUS", "shadow_radius = 2"));
+    assert!(!session.is_fixed(key));
+    session.turn(key, "3.0").expect("it turns");
+    session.reset(key).expect_err("they throw them to the end");
 }

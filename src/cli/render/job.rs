@@ -118,7 +118,7 @@ impl Job<'_> {
         };
         summary.count(&simulation.take_statistics()?);
         if let Some(snapshot) = snapshot
-            && let Err(error) = journal.keep_state(&snapshot, summary.dropped)
+            && let Err(error) = journal.keep_state(&snapshot, summary.roomless[0])
         {
             self.keeps_states = false;
             let why = error.message.trim_start_matches("error: ");
@@ -183,7 +183,7 @@ impl Job<'_> {
         if let Some((state, dropped)) = useful
             && simulation.restore(&state).is_ok()
         {
-            summary.dropped = dropped;
+            summary.roomless[0] = dropped;
             let frame = state.frame();
             note!("motes: going on from the state after frame {frame}");
             return Ok(frame + 1);

@@ -258,32 +258,35 @@ fn say_what_is_beyond(request: &Request) {
 }
 
 fn say_what_went_wrong(summary: &Summary, simulation: &Simulation) {
-    if summary.dropped > 0 {
+    let plan = simulation.plan();
+    let [births, systems, points, flames] = summary.roomless;
+    if births > 0 {
         note!(
-            "motes: {} births were dropped for want of room; raise the scene's `capacity` ({})",
-            summary.dropped,
-            simulation.plan().capacity
+            "motes: {births} births were dropped for want of room; raise the scene's `capacity` ({})",
+            plan.capacity
         );
     }
-    if summary.dropped_systems > 0 {
-        let plan = simulation.plan();
+    if systems > 0 {
         note!(
-            "motes: {} systems found no room, and bore nothing; raise the scene's `max_systems` ({})",
-            summary.dropped_systems,
+            "motes: {systems} systems found no room, and bore nothing; raise the scene's `max_systems` ({})",
             plan.system_count - plan.own_system_count
         );
     }
-    if summary.dropped_points > 0 {
+    if points > 0 {
         note!(
-            "motes: {} control points found no room; raise `max_points` of the fires that spread",
-            summary.dropped_points
+            "motes: {points} control points found no room; raise `max_points` of the fires that spread"
+        );
+    }
+    if flames > 0 {
+        note!(
+            "motes: {flames} flames found no room; raise `max_flames` of the fires that spread, or their \
+             `drop_distance`"
         );
     }
     if !summary.lit {
         let why = match summary.most_live {
             0 => "nothing was alive in them: look at births and frames".to_owned(),
             live => {
-                let plan = simulation.plan();
                 let who = match (plan.boid_count, plan.flame_count) {
                     (count, _) if count == live => "boids",
                     (_, count) if count == live => "flames",

@@ -6,12 +6,8 @@ use crate::output::Picture;
 /// What a run came to.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Summary {
-    /// Births left out for want of room.
-    pub(super) dropped: u64,
-    /// Systems that others would have borne, left out for want of room.
-    pub(super) dropped_systems: u64,
-    /// Control points that found no room.
-    pub(super) dropped_points: u64,
+    /// What found no room, as [`FrameStats::roomless`] has it.
+    pub(super) roomless: [u64; 4],
     /// Most that lived after a frame: particles, control points, boids or flames.
     pub(super) most_live: u32,
     /// Most control points that moved.
@@ -26,11 +22,9 @@ impl Summary {
     /// Counts what happened in these frames.
     pub(super) fn count(&mut self, lines: &[FrameStats]) {
         for line in lines {
-            self.dropped += u64::from(line.dropped);
-            self.dropped_systems +=
-                u64::from(line.systems_requested.saturating_sub(line.systems_born));
-            self.dropped_points +=
-                u64::from(line.points_requested.saturating_sub(line.points_born));
+            for (sum, lost) in self.roomless.iter_mut().zip(line.roomless()) {
+                *sum += u64::from(lost);
+            }
             self.most_live = self.most_live.max(line.live).max(line.points_live);
             self.most_points = self.most_points.max(line.points_live);
         }
