@@ -48,8 +48,9 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use crate::backend::{Backend, BackendError, Living, available_bytes, try_copied, try_zeroed};
-use crate::layout::{COVER_NONE, Counts, Cover, FrameStats, Particle, SystemRow};
+use crate::layout::{COVER_NONE, Counts, Cover, Frame, FrameStats, Particle, SystemRow};
 use crate::plan::{DetailPass, FrameInputs, MeshTables, Plan, Population, Stage, SurfaceTables};
+use disc::LANES;
 use flames::Flames;
 use flock::Flocks;
 use light::LightSums;
@@ -320,28 +321,41 @@ impl CpuBackend {
                 }
                 self.splat(inputs, false);
             }
-            Stage::Resolve => {
-                let light = &self.light;
-                let (rg, bt) = (&self.cover_rg, &self.cover_bt);
-                let (ground, planet) = (&self.ground_pixels, &self.planet_pixels);
-                let surface = &self.surface_pixels;
-                self.image
-                    .par_iter_mut()
-                    .with_min_len(4096)
-                    .enumerate()
-                    .for_each(|(pixel, out)| {
-                        let covers = rg.get(pixel).copied().zip(bt.get(pixel).copied());
-                        let behind = draw::resolve::Behind {
-                            ground: ground.get(pixel).copied(),
-                            planet: planet.get(pixel).copied(),
-                            surface: surface.get(pixel).copied(),
-                            covers,
-                        };
-                        *out = draw::resolve::resolve(&inputs.frame, light, behind, pixel)
-                    });
-            }
+            Stage::Resolve => self.resolve(&inputs.frame),
         }
         Ok(())
+    }
+
+    /// Makes pixels of the sums of light and what is behind them.
+    fn resolve(&mut self, frame: &Frame) {
+        let light = &self.light;
+        let (rg, bt) = (&self.cover_rg, &self.cover_bt);
+        let (ground, planet) = (&self.ground_pixels, &self.planet_pixels);
+        let surface = &self.surface_pixels;
+        let is_plain = [
+            rg.len(),
+            bt.len(),
+            ground.len(),
+            planet.len(),
+            surface.len(),
+        ] == [0; 5];
+        let runs = self.image.par_chunks_mut(LANES).with_min_len(256);
+        runs.enumerate().for_each(|(run, out)| {
+            let first = run * LANES;
+            if is_plain && out.len() == LANES {
+                out.copy_from_slice(&draw::resolve::resolve_lanes(frame, light, first));
+                return;
+            }
+            for (pixel, out) in (first..).zip(out) {
+                let behind = draw::resolve::Behind {
+                    ground: ground.get(pixel).copied(),
+                    planet: planet.get(pixel).copied(),
+                    surface: surface.get(pixel).copied(),
+                    covers: rg.get(pixel).copied().zip(bt.get(pixel).copied()),
+                };
+                *out = draw::resolve::resolve(frame, light, behind, pixel);
+            }
+        });
     }
 
     /// Draws the surfaces.
