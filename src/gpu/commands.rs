@@ -7,6 +7,7 @@ use super::dispatch::dispatch_for;
 use super::flame_tiling::SMALL_SHARES;
 use super::kernel::Kernel;
 use super::sort;
+use super::strip_shares::{PIECES, strip_runs, strip_shares_of};
 use crate::backend::BackendError;
 use crate::layout::{CLUSTER_LIGHTS, FLAME_LIGHTS, FLAME_STEPS};
 use crate::plan::{DetailPass, Plan, Population, Stage};
@@ -689,18 +690,6 @@ pub(super) fn is_used(kernel: &str, plan: &Plan) -> bool {
     stages.clone().next().is_none() || stages.any(|stage| plan.has(stage))
 }
 
-/// Pieces of a strip.
-pub(super) const PIECES: u32 = FLAME_STEPS - 1;
-
-/// Invocations that share a piece of a strip: more where flames are few, and never so few that one turns
-/// its loop more often than drivers let it, even where the piece fills the picture.
-pub(super) fn strip_shares_of(plan: &Plan) -> u32 {
-    const MOST_TURNS: u32 = 60_000;
-    let needed = (plan.width * plan.height).div_ceil(MOST_TURNS);
-    let wanted = if plan.flame_count > 1024 { 4 } else { 32 };
-    needed.max(wanted).next_power_of_two()
-}
-
 /// Invocations that share a triangle of many pixels: so many that none turns its loops more often
 /// than drivers let it, even where the triangle is cut into six and each fills the picture.
 fn surface_shares_of(plan: &Plan) -> u32 {
@@ -980,11 +969,10 @@ impl GpuBackend {
                 let shares = strip_shares_of(plan);
                 (0..).zip(self.memory.flame_paging.pages()).try_for_each(
                     |(page, (first, count))| {
-                        // Where one page has all flames, no more than can be counted.
-                        let pieces = count * PIECES;
-                        let countable = 1 << (u32::MAX / pieces.max(1)).ilog2();
-                        let shares = shares.min(countable);
-                        push(page, 0, &[count, shares, first], direct(pieces * shares))
+                        strip_runs(count, shares).try_for_each(|run| {
+                            let size = direct((run.end - run.start) * PIECES * shares);
+                            push(page, 0, &[run.end, shares, first, run.start], size)
+                        })
                     },
                 )
             }

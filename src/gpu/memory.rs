@@ -3,7 +3,6 @@
 use std::collections::HashMap;
 use std::iter;
 
-use super::commands::{PIECES, strip_shares_of};
 use super::device::GpuDevice;
 use super::flame_tiling::FlameTiling;
 use super::sort;
@@ -22,11 +21,8 @@ const MOST_DISPATCHES: u32 = 50_000;
 /// A page holds a multiple of this many flames: whole runs of an invocation's neighbours.
 const FLAME_GRAIN: u32 = 32;
 
-/// Flames a page at most: as many invocations as share them in the largest picture can be counted.
+/// Flames a page at most.
 const MOST_FLAMES: u64 = 1 << 16;
-
-/// Invocations that can be counted.
-const COUNTED: u64 = 1 << 31;
 
 /// What is there of each flame in pages of so many; the flames themselves are in one.
 const FLAME_PAGED: [&str; 5] = [
@@ -109,13 +105,8 @@ impl FlamePaging {
     /// all steps at once: then there is one page.
     fn new(plan: &Plan, most_bytes: u64) -> Self {
         let most = FLAME_PAGED.iter().map(|name| bytes_a_flame(name, plan));
-        // Those that share a piece of a strip are more the larger the picture is.
-        let shared = match plan.uses.strips {
-            true => COUNTED / u64::from(strip_shares_of(plan) * PIECES),
-            false => MOST_FLAMES,
-        };
         let fits = most_bytes / most.max().unwrap_or(0).max(1);
-        let fits = fits.min(MOST_FLAMES).min(shared) as u32;
+        let fits = fits.min(MOST_FLAMES) as u32;
         let page_len = match plan.ignitions.piece_count() {
             0 => (fits / FLAME_GRAIN * FLAME_GRAIN).max(FLAME_GRAIN),
             _ => u32::MAX,

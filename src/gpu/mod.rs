@@ -26,6 +26,7 @@ mod restore;
 mod run;
 pub mod shader;
 pub mod sort;
+mod strip_shares;
 mod tiling;
 mod timing;
 mod traffic;

@@ -281,7 +281,8 @@ impl Plan {
             fire_count: scene.fires.len() as u32,
             flame_count: scene.fires.iter().map(Fire::count).sum::<u32>() + dropped_capacity(scene),
             dropped_capacity: dropped_capacity(scene),
-            dropped_places: dropped_capacity(scene) + mark_places(scene)?,
+            // A place at least: those of fires without flames are asked for, though never taken.
+            dropped_places: (dropped_capacity(scene) + mark_places(scene)?).max(1),
             detail_passes: most(&|scene| fire::detail_passes(scene)),
             listed_flame_count: scene
                 .fires

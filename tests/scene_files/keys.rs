@@ -268,7 +268,7 @@ pub(crate) const KEYS: &[(&str, &str, &str, &str, &str)] = &[
     ("spread", "insertion", "1", "\"none\"", "\"arc\", \"midpoint\""),
     ("spread", "double_burning", "1", "\"yes\"", "\"prevented\", \"ignored\""),
     ("spread", "drop_counter", "1", "\"drop\"", "\"reset\", \"carry\""),
-    ("spread", "max_flames", "1.5", "0", "from 1 to 60_000"),
+    ("spread", "max_flames", "1.5", "-1", "from 0 to 60_000"),
     ("spread", "max_points", "1.5", "7", "from 8 to 1_000_000"),
     ("ignition", "position", "1", "[0, 0, 1e7]", "3 numbers, each from -1_000_000"),
     ("ignition", "first_frame", "0.5", "-1", "from 0 to 1_000_000"),

@@ -1,8 +1,11 @@
 //! Flames that fronts drop (Perry 1994, 3.4).
 
+use motes::gpu::GpuOptions;
+use motes::plan::Plan;
 use motes::scene::Scene;
 use motes::simulation::{FlameState, Simulation};
 
+use crate::common::{compare_run, frames_of, on_cpu, on_each_adapter, on_gpu};
 use crate::support::*;
 
 /// A fire on a wide plane in the open, whose points go `step` in a frame on rays of their own.
@@ -262,4 +265,35 @@ fn p45_flames_that_are_dropped_light_the_ground() {
     let [none, one, many] = [light(0), light(1), light(9)];
     assert!(one > none + none / 10, "{none} {one}");
     assert!(many > none + none / 10, "{none} {many}");
+}
+
+#[test]
+fn p20_a_fire_spreads_without_flames() {
+    let of = |max_flames: u32| {
+        let spread = format!(
+            "mesh = \"cube\"\nscale = 0.5\ntime_scale = 0.3\ndrop_distance = 0.07\nseparation = 0.06\n\
+             max_flames = {max_flames}"
+        );
+        scene("", &spread, &["position = [0, 0, 0.5]"], "")
+    };
+    let (mut without, mut with) = (run(&of(0)), run(&of(300)));
+    let mut wanted = 0;
+    for frame in 0..30 {
+        without.seek(frame).expect("it runs");
+        with.seek(frame).expect("it runs");
+        let points = with.control_points().expect("they are read");
+        assert_eq!(without.control_points().expect("they are read"), points);
+        assert!(without.flames().expect("they are read").is_empty());
+        wanted = points.len();
+    }
+    assert!(wanted > 20, "{wanted}");
+    assert!(!with.flames().expect("they are read").is_empty());
+    let plan = Plan::new(&of(0), 30).expect("it can be planned");
+    let frames = frames_of(&plan, 30);
+    on_each_adapter(|name, device| {
+        let mut gpu = on_gpu(device, &plan, &GpuOptions::default());
+        if let Err(difference) = compare_run(&frames, &mut gpu, &mut on_cpu(&plan)) {
+            panic!("{name}: {difference}");
+        }
+    });
 }

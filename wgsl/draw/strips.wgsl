@@ -23,12 +23,13 @@ const SURFACES: bool = #{SURFACES};
 const TEXTURES: bool = #{TEXTURES};
 
 struct Work {
-    // Flames of a page.
-    flame_count: u32,
+    // One past the last flame of the page that is drawn.
+    end: u32,
     // Invocations a piece of a strip.
     shares: u32,
-    // The first of them among all.
+    // The page's first flame among all, and the first of the page that is drawn.
     first: u32,
+    start: u32,
 }
 var<immediate> work: Work;
 
@@ -115,8 +116,8 @@ fn piece_light(piece: Piece, fire: FireFrame, slot: u32, index: u32, pixel: vec2
 fn strips(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let at = linear_index(global_id, WORKGROUP_SIZE);
     let nth = at / work.shares;
-    let flame = nth / PIECES;
-    if flame >= work.flame_count {
+    let flame = work.start + nth / PIECES;
+    if flame >= work.end {
         return;
     }
     let age = nth % PIECES;

@@ -26,7 +26,7 @@ pub const SPREAD: &[Field] = &[
     default("insertion", Kind::Choice(&["arc", "midpoint"]), "\"arc\"", "", "whether a point comes onto the arc that its neighbours' headings span, or halfway between them", "Perry 3.3.2"),
     default("double_burning", Kind::Choice(&["prevented", "ignored"]), "\"prevented\"", "", "whether control points stop where they meet what has burnt; on a plane with one ignition that never happens", "Perry 3.3.2"),
     default("drop_counter", Kind::Choice(&["reset", "carry"]), "\"reset\"", "", "whether a point begins anew when it drops a flame, or what it has come beyond drop_distance counts for the next; it drops one in a frame at most", "Perry 3.4"),
-    default("max_flames", whole(1, 60_000), "2000", "flames", "most dropped flames that burn at once, each as long as the fire's lifetime says; what has no room is counted as dropped", "Perry 3.4"),
+    default("max_flames", whole(0, 60_000), "2000", "flames", "most dropped flames that burn at once, each as long as the fire's lifetime says; what has no room is counted as dropped; 0 for a fire that spreads without flames", "Perry 3.4"),
     optional("char", Kind::Table(CHAR), "{}", "", "the marks that its flames leave where they have gone out; none if left out", "Perry 3.4.1"),
     optional("smoke", Kind::Table(SMOKE), "{}", "", "the smoke that rises where its flames have gone out; none if left out", "Perry 4.6"),
     optional("line", Kind::Table(LINE), "{ width = 0.02 }", "", "the front as a line; none if left out", "Perry 4.7"),
