@@ -153,6 +153,8 @@ impl App {
         let plan = simulation.plan();
         let [.., burning] = plan.flames_at(frame.cast_signed());
         let boids = plan.boid_count;
+        // Fires that spread without flames ask for no room.
+        let takes_flames = plan.dropped_capacity > 0;
         let Ok(lines) = simulation.take_statistics() else {
             return;
         };
@@ -166,6 +168,9 @@ impl App {
         for line in &lines {
             for (sum, lost) in self.roomless.iter_mut().zip(line.roomless()) {
                 *sum += u64::from(lost);
+            }
+            if !takes_flames {
+                self.roomless[3] = 0;
             }
         }
         let some = |count: u32, name: &str| (count > 0).then(|| format!("{count} {name}"));

@@ -401,3 +401,35 @@ size = 0.1
         "{text}"
     );
 }
+
+#[test]
+fn flames_that_find_no_room_are_told_unless_there_are_to_be_none() {
+    let here = Workshop::new();
+    let told = |most: &str| {
+        let most = format!("fire.fire.spread.max_flames={most}");
+        let sets = [
+            "image.width=64",
+            "image.height=36",
+            "fire.fire.spread.drop_distance=0.2",
+            &most,
+        ];
+        let mut arguments = vec![
+            "render",
+            "burning-cube",
+            "--adapter",
+            "cpu",
+            "--frames",
+            "0..40",
+        ];
+        arguments.extend(sets.iter().flat_map(|set| ["--set", set]));
+        arguments.extend(["-o", "a.gif"]);
+        let ended = here.run(&arguments);
+        assert_eq!(ended.code, 0, "{}", ended.stderr);
+        ended
+            .stderr
+            .contains("flames found no room; raise `max_flames`")
+    };
+    assert!(told("2"));
+    assert!(!told("0"));
+    assert!(!told("4000"));
+}

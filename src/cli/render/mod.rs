@@ -277,7 +277,8 @@ fn say_what_went_wrong(summary: &Summary, simulation: &Simulation) {
             "motes: {points} control points found no room; raise `max_points` of the fires that spread"
         );
     }
-    if flames > 0 {
+    // Fires that spread without flames ask for no room.
+    if flames > 0 && plan.dropped_capacity > 0 {
         note!(
             "motes: {flames} flames found no room; raise `max_flames` of the fires that spread, or their \
              `drop_distance`"
