@@ -35,7 +35,7 @@ pub(super) struct ViewArgs {
     allow_outside: bool,
     /// Play this script in a window that nobody sees: lines of `PASS ACTION`, actions being turn
     /// PATH=VALUE, move X Y, press, release, press right, release right, wheel NOTCHES, key NAME,
-    /// detail 0..4 [lines], undo, shot FILE.png, save FILE.toml and end
+    /// detail 0..4 [lines], undo, frame N, shot FILE.png, save FILE.toml and end
     #[arg(long, value_name = "FILE")]
     script: Option<PathBuf>,
     /// Run kernels from this folder in place of those of the same name that the program has, and read

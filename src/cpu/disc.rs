@@ -2,6 +2,7 @@
 //! Twin of `wgsl/lib/disc.wgsl`, which tells the pixels in bits; here several discs are weighed together, so that
 //! the processor takes several in one instruction.
 
+use crate::cpu::lanes::{LANES, Lanes, lanes};
 use crate::cpu::reach::{PI, center_of, edged_radius};
 use crate::exact::{
     at_least_zero, clamp_unit, floor_exact, reciprocal, shared_constants, square_root,
@@ -18,22 +19,6 @@ shared_constants! {
 #[inline]
 pub(crate) fn reach_of(radius_px: f32) -> f32 {
     edged_radius(radius_px) + 0.5
-}
-
-/// Discs that are weighed together.
-pub(crate) const LANES: usize = 16;
-
-/// Something of each of them.
-pub(crate) type Lanes<T> = [T; LANES];
-
-/// What `of` tells of each lane.
-#[inline(always)]
-pub(crate) fn lanes<T: Copy + Default>(of: impl Fn(usize) -> T) -> Lanes<T> {
-    let mut all = [T::default(); LANES];
-    for (lane, own) in all.iter_mut().enumerate() {
-        *own = of(lane);
-    }
-    all
 }
 
 /// [`to_i32`](crate::exact::to_i32) of places in the picture and near it: vectors have no conversion that

@@ -1,7 +1,10 @@
 //! The pixels that a streak, a square or a larger disc covers, and how much of each, antialiased
-//! (Reeves 1983, 2.5 and 3). Twin of `wgsl/lib/footprint.wgsl`, line by line; see there for how light
-//! is kept.
+//! (Reeves 1983, 2.5 and 3). Twin of `wgsl/lib/footprint.wgsl`; see there for how light is kept. Here
+//! several pixels are weighed together, so that the processor takes several in one instruction.
 
+use std::ops::Range;
+
+use crate::cpu::lanes::{LANES, Lanes, lanes};
 use crate::cpu::projection::Projected;
 use crate::cpu::reach::{LEAST_WAY_SQUARED, PI, center_of, edged_radius, overlap};
 use crate::exact::{
@@ -49,6 +52,15 @@ pub(crate) struct Footprint {
     pub(crate) minor_size: i32,
 }
 
+/// Pixels of a footprint that are weighed together.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Cells {
+    pub(crate) major: Lanes<i32>,
+    pub(crate) minor: Lanes<i32>,
+    /// Lanes from here on hold no pixel of their own.
+    pub(crate) count: usize,
+}
+
 #[inline]
 fn span(first: i32, last: i32) -> u32 {
     (last - first).clamp(0, LONGEST_PX) as u32
@@ -92,6 +104,54 @@ impl Footprint {
         )
     }
 
+    /// No weight is above it, gain and all.
+    pub(crate) fn most_weight(&self) -> f32 {
+        self.gain * (self.early + self.late)
+    }
+
+    /// How much of each pixel the square covers, or the disc or streak before its gain.
+    #[inline(always)]
+    pub(crate) fn weights_at(&self, cells: &Cells) -> Lanes<f32> {
+        if self.square {
+            lanes(|lane| self.square_weight_at(cells.major[lane], cells.minor[lane]))
+        } else {
+            self.swept_weights_at(cells)
+        }
+    }
+
+    /// Alone, this becomes instructions for several lanes; as part of more, it does not.
+    #[inline(never)]
+    fn swept_weights_at(&self, cells: &Cells) -> Lanes<f32> {
+        lanes(|lane| self.weight_at(cells.major[lane], cells.minor[lane]))
+    }
+
+    /// Goes through the pixels that may be covered, of those rows across the major axis and of those
+    /// places along the minor one, row by row, several at a time.
+    #[inline(always)]
+    pub(crate) fn each_cells(
+        &self,
+        majors: Range<i32>,
+        minors: Range<i32>,
+        mut take: impl FnMut(&Cells),
+    ) {
+        let mut cells = Cells::default();
+        for major in majors {
+            let (low, high) = self.minor_range(major);
+            for minor in low.max(minors.start)..high.min(minors.end) {
+                cells.major[cells.count] = major;
+                cells.minor[cells.count] = minor;
+                cells.count += 1;
+                if cells.count == LANES {
+                    take(&cells);
+                    cells.count = 0;
+                }
+            }
+        }
+        if cells.count > 0 {
+            take(&cells);
+        }
+    }
+
     /// First and one past the last row of pixels that may be covered.
     pub(crate) fn rows(&self) -> [i32; 2] {
         if self.steep || self.first >= self.last {
@@ -128,12 +188,11 @@ impl Footprint {
         let mut sum = 2.0 * edge * square_root(length_squared) + PI * (edge * edge + 0.083_333_336);
         if cells <= FEW_CELLS {
             sum = 0.0;
-            for major in first..last {
-                let (low, high) = self.minor_range(major);
-                for minor in low..high {
-                    sum += self.weight_at(major, minor);
+            self.each_cells(first..last, i32::MIN..i32::MAX, |cells| {
+                for weight in &self.swept_weights_at(cells)[..cells.count] {
+                    sum += weight;
                 }
-            }
+            });
         }
         let gain = area * reciprocal(sum);
         let half = 0.5 * LARGE_RADIUS_PX;

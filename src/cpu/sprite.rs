@@ -3,7 +3,8 @@
 
 use glam::{Vec3, Vec4};
 
-use crate::cpu::disc::{LANES, reach_of};
+use crate::cpu::disc::reach_of;
+use crate::cpu::lanes::{LANES, VecLanes, lane_of, lanes, set_lane};
 use crate::cpu::particle::{Appearance, Identity, appearance_of, identity_of};
 use crate::cpu::projection::{Projected, project, project_closing, world_of};
 use crate::cpu::reach::MOST_RADIUS_PX;
@@ -93,29 +94,24 @@ pub(crate) fn each_sprite(
 ) {
     let system = &inputs.systems[particles[0].slot() as usize];
     let (first, age) = identity_of(&particles[0], inputs);
-    let mut indices = [0; LANES];
-    let mut places = [[0.0; LANES]; 3];
+    let indices = lanes(|lane| particles[lane].index());
+    let mut places = VecLanes::default();
     for (lane, particle) in particles.iter().enumerate() {
-        indices[lane] = particle.index();
-        [places[0][lane], places[1][lane], places[2][lane]] = particle.position();
+        set_lane(&mut places, lane, Vec3::from(particle.position()));
     }
-    let mut looks = [[0.0; LANES]; 5];
+    let mut colors = VecLanes::default();
+    let [mut transparencies, mut sizes] = [[0.0; LANES]; 2];
     for (lane, index) in indices.into_iter().enumerate() {
         let look = appearance_of(Identity { index, ..first }, row, age + 1);
-        looks[0][lane] = look.color.x;
-        looks[1][lane] = look.color.y;
-        looks[2][lane] = look.color.z;
-        looks[3][lane] = look.transparency;
-        looks[4][lane] = look.size;
+        set_lane(&mut colors, lane, look.color);
+        transparencies[lane] = look.transparency;
+        sizes[lane] = look.size;
     }
-    let mut worlds = [[0.0; LANES]; 3];
+    let mut worlds = VecLanes::default();
     let mut starts = [[0.0; LANES]; 5];
     for lane in 0..LANES {
-        let place = Vec3::new(places[0][lane], places[1][lane], places[2][lane]);
-        let world = world_of(system, place);
-        worlds[0][lane] = world.x;
-        worlds[1][lane] = world.y;
-        worlds[2][lane] = world.z;
+        let world = world_of(system, lane_of(&places, lane));
+        set_lane(&mut worlds, lane, world);
         let start = project(&inputs.frame, world);
         starts[0][lane] = start.x;
         starts[1][lane] = start.y;
@@ -123,19 +119,15 @@ pub(crate) fn each_sprite(
         starts[3][lane] = start.distance_squared;
         starts[4][lane] = start.scale;
     }
-    let mut radii = [0.0; LANES];
-    let mut reaches = [0.0; LANES];
-    for (lane, reach) in reaches.iter_mut().enumerate() {
-        radii[lane] = radius_of(looks[4][lane], starts[4][lane]);
-        *reach = reach_of(radii[lane]);
-    }
+    let radii = lanes(|lane| radius_of(sizes[lane], starts[4][lane]));
+    let reaches = lanes(|lane| reach_of(radii[lane]));
     for (lane, particle) in particles.iter().enumerate() {
         let look = Appearance {
-            color: Vec3::new(looks[0][lane], looks[1][lane], looks[2][lane]),
-            transparency: looks[3][lane],
-            size: looks[4][lane],
+            color: lane_of(&colors, lane),
+            transparency: transparencies[lane],
+            size: sizes[lane],
         };
-        let world = Vec3::new(worlds[0][lane], worlds[1][lane], worlds[2][lane]);
+        let world = lane_of(&worlds, lane);
         let start = Projected {
             x: starts[0][lane],
             y: starts[1][lane],

@@ -2,6 +2,7 @@
 
 use glam::Vec3;
 
+use crate::cpu::lanes::{LANES, VecLanes, lane_of, set_lane};
 use crate::exact::{cross3, dot3, inverse_square_root, less, shared_constants};
 use crate::layout::{WIND_ATTRACTOR, WIND_CURL, WIND_NOISE, WIND_SOURCE, WIND_VORTEX, Wind};
 use crate::noise::gradient_and_value;
@@ -9,24 +10,6 @@ use crate::noise::gradient_and_value;
 shared_constants! {
     const CURL_KEY: u32 = 0x9e37_79b9;
     const OCTAVE_KEY: u32 = 0x85eb_ca6b;
-}
-
-/// Places that are sampled together, so that the processor takes several in one instruction.
-pub(crate) const LANES: usize = 16;
-
-/// Vectors by their components.
-pub(crate) type Lanes = [[f32; LANES]; 3];
-
-/// The vector of a lane.
-#[inline]
-pub(crate) fn lane_of(lanes: &Lanes, lane: usize) -> Vec3 {
-    Vec3::new(lanes[0][lane], lanes[1][lane], lanes[2][lane])
-}
-
-/// Sets the vector of a lane.
-#[inline]
-pub(crate) fn set_lane(lanes: &mut Lanes, lane: usize, v: Vec3) {
-    [lanes[0][lane], lanes[1][lane], lanes[2][lane]] = v.to_array();
 }
 
 /// The gradient of `octaves` octaves of noise at the world place `p`.
@@ -94,7 +77,7 @@ pub fn wind_at(winds: &[Wind], p: Vec3) -> Vec3 {
 }
 
 /// [`turbulence`] at several places.
-fn turbulence_at_lanes(wind: &Wind, places: &Lanes, octaves: u32, first_key: u32) -> Lanes {
+fn turbulence_at_lanes(wind: &Wind, places: &VecLanes, octaves: u32, first_key: u32) -> VecLanes {
     let mut at = *places;
     for (axis, at) in at.iter_mut().enumerate() {
         for at in at {
@@ -103,10 +86,10 @@ fn turbulence_at_lanes(wind: &Wind, places: &Lanes, octaves: u32, first_key: u32
     }
     let mut key = first_key;
     let mut weight = 1.0f32;
-    let mut sum = Lanes::default();
+    let mut sum = VecLanes::default();
     let folds = wind.kinds[3] == 1;
     for _ in 0..octaves {
-        let mut slope = Lanes::default();
+        let mut slope = VecLanes::default();
         let mut values = [0.0; LANES];
         for (lane, own) in values.iter_mut().enumerate() {
             let (gradient, value) = gradient_and_value(lane_of(&at, lane), key);
@@ -127,8 +110,8 @@ fn turbulence_at_lanes(wind: &Wind, places: &Lanes, octaves: u32, first_key: u32
 }
 
 /// [`wind_at`] at several places.
-pub(crate) fn wind_at_lanes(winds: &[Wind], places: &Lanes) -> Lanes {
-    let mut flow = Lanes::default();
+pub(crate) fn wind_at_lanes(winds: &[Wind], places: &VecLanes) -> VecLanes {
+    let mut flow = VecLanes::default();
     for wind in winds {
         let [kind, octaves, key, _] = wind.kinds;
         let strength = wind.aim[3];
@@ -139,7 +122,7 @@ pub(crate) fn wind_at_lanes(winds: &[Wind], places: &Lanes) -> Lanes {
                 .for_each(|x| *x *= strength);
             part
         } else {
-            let mut part = Lanes::default();
+            let mut part = VecLanes::default();
             for lane in 0..LANES {
                 set_lane(&mut part, lane, wind_of(wind, lane_of(places, lane)));
             }

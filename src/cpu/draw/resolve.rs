@@ -1,6 +1,6 @@
 //! resolve: the sums of light become pixels (Reeves 1983, 2.5). Twin of `wgsl/draw/resolve.wgsl`.
 
-use crate::cpu::disc::{LANES, Lanes, lanes};
+use crate::cpu::lanes::{LANES, Lanes, lanes};
 use crate::cpu::light::{LightSums, light_of};
 use crate::exact::{clamp_unit, to_i32};
 use crate::layout::Frame;

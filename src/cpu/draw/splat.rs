@@ -9,11 +9,10 @@ use std::sync::atomic::AtomicU64;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
-use crate::cpu::disc::{
-    Discs, LANES, Ranges, SMALL_REACH_PX, SMALL_SIZES, Weighed, lanes, reach_of, size_of,
-};
+use crate::cpu::disc::{Discs, Ranges, SMALL_REACH_PX, SMALL_SIZES, Weighed, reach_of, size_of};
 use crate::cpu::draw::planet::is_beyond;
 use crate::cpu::footprint::Footprint;
+use crate::cpu::lanes::{LANES, Lanes, lanes};
 use crate::cpu::light::{FEW_STEPS, LIGHT_STEPS, LightSums, few_steps_of, steps_of};
 use crate::cpu::particle::row_index;
 use crate::cpu::reach::{is_visible, moves};
@@ -164,26 +163,51 @@ struct Band<'a> {
 }
 
 impl Band<'_> {
-    /// The place of a pixel in the band.
+    /// Adds to pixels of the band, one a lane.
     #[inline(always)]
-    fn place_of(&self, x: i32, y: i32) -> usize {
-        (y - self.first) as usize * self.width + x as usize
+    fn add(&mut self, places: &[i32], steps: &[Lanes<u32>; 3]) {
+        let (pixels, _) = self.sums.as_chunks_mut::<3>();
+        for (lane, place) in places.iter().enumerate() {
+            for (sum, steps) in pixels[*place as usize].iter_mut().zip(steps) {
+                let sum = sum.get_mut();
+                *sum = sum.wrapping_add(u64::from(steps[lane]));
+            }
+        }
     }
 
-    /// How near surfaces are in the samples of the pixel at that place, if there are any.
+    /// Takes from the light of pixels of the band what is behind surfaces.
     #[inline(always)]
-    fn nearness_at(&self, place: usize) -> Option<&[u32; 4]> {
-        self.nearness.get(self.first as usize * self.width + place)
+    fn veil(&self, weights: &mut Lanes<f32>, places: &Lanes<i32>, fronts: &Lanes<u32>) {
+        if self.nearness.is_empty() {
+            return;
+        }
+        let first = self.first as usize * self.width;
+        for ((weight, place), front) in weights.iter_mut().zip(places).zip(fronts) {
+            *weight *= open_share(self.nearness[first + *place as usize], *front);
+        }
     }
 }
 
-/// Adds to the three channels of a pixel.
+/// Whether [`few_steps_of`] holds for light of which no channel is above these; rounded, too, for there is a
+/// factor of two between the limits.
 #[inline(always)]
-fn add_to(sums: &mut [AtomicU64; 3], steps: [u32; 3]) {
-    for (sum, steps) in sums.iter_mut().zip(steps) {
-        let sum = sum.get_mut();
-        *sum = sum.wrapping_add(u64::from(steps));
+fn is_dim(most: [f32; 3]) -> bool {
+    let few = |channel: f32| (0.0..FEW_STEPS * 0.5).contains(&(channel * LIGHT_STEPS));
+    most.into_iter().all(few)
+}
+
+/// Light in steps, by channel and lane, where `is_dim` tells of all of it.
+#[inline(always)]
+fn steps_of_each(light: impl Fn(usize, usize) -> f32, is_dim: bool) -> [Lanes<u32>; 3] {
+    let mut steps = [[0; LANES]; 3];
+    for (channel, steps) in steps.iter_mut().enumerate() {
+        *steps = if is_dim {
+            lanes(|lane| few_steps_of(light(channel, lane)))
+        } else {
+            lanes(|lane| steps_of(light(channel, lane)))
+        };
     }
+    steps
 }
 
 /// The layer, from 1, that a world place is in.
@@ -218,12 +242,10 @@ fn draw_discs(of: &[Disc], band: &mut Band<'_>) {
     let (left, top) = (&weighed.columns.first, &weighed.lines.first);
     let width = band.width as i32;
     let first_places = lanes(|lane| (top[lane] - band.first) * width + left[lane]);
-    // Rounded, too: there is a factor of two between the limits.
-    let is_dim = color.iter().all(|channel| {
-        let most = |lane: usize| channel[lane] * weighed.gain[lane] * LIGHT_STEPS;
-        (0..LANES).all(|lane| (0.0..FEW_STEPS * 0.5).contains(&most(lane)))
+    let is_dim = (0..LANES).all(|lane| {
+        let most = |channel: &Lanes<f32>| channel[lane] * weighed.gain[lane];
+        is_dim(color.each_ref().map(most))
     });
-    let (pixels, _) = band.sums.as_chunks_mut::<3>();
     for column in 0..weighed.most[0] {
         for line in 0..weighed.most[1] {
             let (across, down) = (column as i32, line as i32);
@@ -237,32 +259,11 @@ fn draw_discs(of: &[Disc], band: &mut Band<'_>) {
                 if is_inside[lane] { place } else { 0 }
             });
             let mut weights = weighed.weights(column, line);
-            if !band.nearness.is_empty() {
-                let first = band.first as usize * band.width;
-                for ((weight, place), front) in weights.iter_mut().zip(place).zip(fronts) {
-                    *weight *= open_share(band.nearness[first + place as usize], front);
-                }
-            }
+            band.veil(&mut weights, &place, &fronts);
             weights = lanes(|lane| if is_inside[lane] { weights[lane] } else { 0.0 });
             let light = |channel: usize, lane: usize| color[channel][lane] * weights[lane];
-            let [mut red, mut green, mut blue] = [[0; LANES]; 3];
-            if is_dim {
-                for lane in 0..LANES {
-                    red[lane] = few_steps_of(light(0, lane));
-                    green[lane] = few_steps_of(light(1, lane));
-                    blue[lane] = few_steps_of(light(2, lane));
-                }
-            } else {
-                for lane in 0..LANES {
-                    red[lane] = steps_of(light(0, lane));
-                    green[lane] = steps_of(light(1, lane));
-                    blue[lane] = steps_of(light(2, lane));
-                }
-            }
-            for (lane, place) in place[..of.len()].iter().enumerate() {
-                let steps = [red[lane], green[lane], blue[lane]];
-                add_to(&mut pixels[*place as usize], steps);
-            }
+            let steps = steps_of_each(light, is_dim);
+            band.add(&place[..of.len()], &steps);
         }
     }
 }
@@ -277,31 +278,29 @@ impl Shape {
         } else {
             ((shape.first, shape.last), rows)
         };
-        for major in shape.first.max(majors.0)..shape.last.min(majors.1) {
-            let (low, high) = shape.minor_range(major);
-            for minor in low.max(minors.0)..high.min(minors.1) {
-                let weight = if shape.square {
-                    shape.square_weight_at(major, minor)
-                } else {
-                    shape.weight_at(major, minor) * shape.gain
-                };
-                if !less(0.0, weight) {
-                    continue;
-                }
-                let (x, y) = if shape.steep {
-                    (minor, major)
-                } else {
-                    (major, minor)
-                };
-                let place = band.place_of(x, y);
-                let weight = band.nearness_at(place).map_or(weight, |nearness| {
-                    weight * open_share(*nearness, shown.front)
-                });
-                let steps = (shown.color * weight).to_array().map(steps_of);
-                let (pixels, _) = band.sums.as_chunks_mut::<3>();
-                add_to(&mut pixels[place], steps);
-            }
-        }
+        let majors = shape.first.max(majors.0)..shape.last.min(majors.1);
+        let width = band.width as i32;
+        let color = shown.color.to_array();
+        let most = shape.most_weight();
+        let is_dim = is_dim(color.map(|channel| channel * most));
+        shape.each_cells(majors, minors.0..minors.1, |cells| {
+            let (x, y) = if shape.steep {
+                (&cells.minor, &cells.major)
+            } else {
+                (&cells.major, &cells.minor)
+            };
+            // Lanes without a pixel add nothing, to some pixel or other.
+            let place = lanes(|lane| {
+                let place = (y[lane] - band.first) * width + x[lane];
+                if lane < cells.count { place } else { 0 }
+            });
+            let weights = shape.weights_at(cells);
+            let mut weights = lanes(|lane| weights[lane] * shape.gain);
+            band.veil(&mut weights, &place, &[shown.front; LANES]);
+            let light = |channel: usize, lane: usize| color[channel] * weights[lane];
+            let steps = steps_of_each(light, is_dim);
+            band.add(&place[..cells.count], &steps);
+        });
     }
 }
 

@@ -3,8 +3,9 @@
 
 use glam::Vec3;
 
+use crate::cpu::lanes::{LANES, VecLanes, lane_of, set_lane};
 use crate::cpu::projection::world_of;
-use crate::cpu::wind::{LANES, Lanes, lane_of, set_lane, wind_at, wind_at_lanes};
+use crate::cpu::wind::{wind_at, wind_at_lanes};
 use crate::exact::bits_of;
 use crate::layout::{Particle, SYSTEM_STILL, SystemFrame, Wind};
 
@@ -93,7 +94,7 @@ fn advance_block(block: &mut [Particle; LANES], systems: &[SystemFrame], winds: 
         }
         return;
     }
-    let mut worlds = Lanes::default();
+    let mut worlds = VecLanes::default();
     for (lane, particle) in block.iter().enumerate() {
         let place = Vec3::from(particle.position());
         set_lane(&mut worlds, lane, world_of(system, place));
