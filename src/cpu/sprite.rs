@@ -109,7 +109,8 @@ pub(crate) fn each_sprite(
     }
     let mut worlds = VecLanes::default();
     let mut starts = [[0.0; LANES]; 5];
-    for lane in 0..LANES {
+    let mut radii = [0.0; LANES];
+    for (lane, radius_px) in radii.iter_mut().enumerate() {
         let world = world_of(system, lane_of(&places, lane));
         set_lane(&mut worlds, lane, world);
         let start = project(&inputs.frame, world);
@@ -118,8 +119,8 @@ pub(crate) fn each_sprite(
         starts[2][lane] = start.depth;
         starts[3][lane] = start.distance_squared;
         starts[4][lane] = start.scale;
+        *radius_px = radius_of(sizes[lane], start.scale);
     }
-    let radii = lanes(|lane| radius_of(sizes[lane], starts[4][lane]));
     let reaches = lanes(|lane| reach_of(radii[lane]));
     for (lane, particle) in particles.iter().enumerate() {
         let look = Appearance {
