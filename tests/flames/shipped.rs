@@ -4,7 +4,8 @@ use motes::scene::{BUILTIN, Scene, load};
 
 use crate::support::*;
 
-fn shipped() -> Vec<Scene> {
+/// The built-in scenes with flames of their own.
+pub(crate) fn shipped() -> Vec<Scene> {
     let scenes = BUILTIN
         .iter()
         .map(|scene| load(scene.name).expect("it is right"));

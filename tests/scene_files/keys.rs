@@ -214,7 +214,7 @@ pub(crate) const KEYS: &[(&str, &str, &str, &str, &str)] = &[
     ("fire", "inner_alpha", "\"1\"", "-1", "from 0 to 100"),
     ("fire", "details", "1.5", "5", "from 0 to 4, octaves"),
     ("fire", "detail_spread", "[1]", "-1", "from 0 to 100"),
-    ("fire", "detail_alpha", "true", "101", "from 0 to 100"),
+    ("fire", "detail_alpha", "true", "2.5", "from 0 to 2"),
     ("fire", "blackbody", "2000", "[2000, 999]", "2 numbers, each from 1000 to 20_000, kelvin"),
     ("fire", "blackbody_rim", "[1]", "0", "from 0.1 to 1"),
     ("fire", "form", "1", "\"ribbon\"", "\"particles\", \"strip\""),

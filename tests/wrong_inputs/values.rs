@@ -226,6 +226,15 @@ fn too_much_of_anything_is_answered_with_how_much_there_may_be() {
             ],
         ),
         longer(
+            "[[fire]]\nname = \"mill\"\nroots = { kind = \"line\", length = 2, count = 20 }\n\
+             [[fire.profile]]\nage = 0.5\nwidth = 1\nheight = 1\n\
+             [[fire.profile]]\nage = 0.5\nwidth = 1\nheight = 1\n",
+            &[
+                "`fire.mill.profile.1.age` is 0.5, not more than the one before",
+                "w.toml:25:1",
+            ],
+        ),
+        longer(
             "[[flock]]\nname = \"crowd\"\ncount = 600_000\nperception_radius = 9\n\
              region = { min = [0, 0, 0], max = [9, 9, 0] }\n\
              [[flock.relation]]\nkind = \"flock\"\n",

@@ -8,7 +8,7 @@
 // as bits; columns and lines are 0 for none).
 // Invariant: what is not drawn has no light.
 
-#import motes::detail::{scale_of, strayed}
+#import motes::detail::{octave_opacity, scale_of, strayed}
 #import motes::fan::LEAST_HALF_AXIS_PX
 #import motes::dispatch::linear_index
 #import motes::exact::{
@@ -188,7 +188,7 @@ fn flame_discs_of(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let half_width = 0.5f * bitcast<f32>(flame.look.y);
     let is_detail = DETAILS && work.octave > 0u;
     let scale = select(1.0f, scale_of(work.octave), is_detail);
-    let brightness = bitcast<f32>(flame.look.z) * select(1.0f, fire.details.z, is_detail);
+    let brightness = bitcast<f32>(flame.look.z);
     let here = !LAYERS || ((frame.layer == 0u)
         | (layer_of(bitcast<vec3<f32>>(flame.root_and_fire.xyz)) == frame.layer));
     let burns = here && flame.look.w == 1u && (fire.kinds.w & FIRE_STRIP) == 0u;
@@ -206,7 +206,7 @@ fn flame_discs_of(@builtin(global_invocation_id) global_id: vec3<u32>) {
             let next = flame_steps[at * FLAME_STEPS + min(age + 1u, FLAME_STEPS - 1u)];
             own_age += part;
             let between = place + (bitcast<vec3<f32>>(next.xyz) - place) * part;
-            place = strayed(fire, work.octave, work.copy, between, own_age, 2.0f * half_width);
+            place = strayed(fire, work.octave, between, own_age, 2.0f * half_width);
             is_there = burns && age + 1u < FLAME_STEPS && !less(fire.details.x, f32_of_u32(work.octave));
         }
         let seen = project(frame, place);
@@ -219,8 +219,13 @@ fn flame_discs_of(@builtin(global_invocation_id) global_id: vec3<u32>) {
         let reach = outline.reach;
         let middle = vec2<f32>(seen.x, seen.y) + outline.center;
         let is_near = less(MOST_HALF_AXIS_PX, reach.x) || less(MOST_HALF_AXIS_PX, reach.y);
-        let is_seen = is_there && !is_near && !outline.is_flat && !less(seen.depth, frame.near);
-        let opacity = select(0.0f, brightness * across.y * along.y, is_seen);
+        var of_octave = 1.0f;
+        if DETAILS {
+            of_octave = octave_opacity(fire, work.octave, half_width * seen.scale);
+        }
+        let is_clear = is_detail && !less(0.0f, of_octave);
+        let is_seen = is_there && !is_near && !is_clear && !outline.is_flat && !less(seen.depth, frame.near);
+        let opacity = select(0.0f, brightness * of_octave * across.y * along.y, is_seen);
         flame_discs[at * FLAME_STEPS + age] = FlameDisc(
             vec4<u32>(
                 bits_of(middle.x), bits_of(middle.y), bits_of(outline.scale.x), bits_of(outline.scale.y),

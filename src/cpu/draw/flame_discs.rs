@@ -3,7 +3,7 @@
 use glam::{IVec2, Vec2, Vec3, Vec4};
 
 use super::splat::layer_of;
-use crate::cpu::detail::{scale_of, strayed};
+use crate::cpu::detail::{octave_opacity, scale_of, strayed};
 use crate::cpu::fan::LEAST_HALF_AXIS_PX;
 use crate::cpu::projection::project;
 use crate::exact::{
@@ -158,7 +158,7 @@ fn placed(
     let next = place((age + 1).min(steps.len() - 1));
     let own_age = own_age + part;
     let between = here + (next - here) * part;
-    (strayed(fire, pass, between, own_age, width), own_age)
+    (strayed(fire, pass.octave, between, own_age, width), own_age)
 }
 
 /// The discs of a flame in a pass whose particle is at these places, from age 0 on, and what is
@@ -186,12 +186,12 @@ pub fn flame_discs(
     let first_look = (flame.fire() * FLAME_STEPS) as usize;
     let looks = &inputs.age_looks[first_look..];
     let is_detail = pass.octave > 0;
-    let (scale, alpha) = if is_detail {
-        (scale_of(pass.octave), fire.details[2])
+    let scale = if is_detail {
+        scale_of(pass.octave)
     } else {
-        (1.0, 1.0)
+        1.0
     };
-    let brightness = f32::from_bits(brightness) * alpha;
+    let brightness = f32::from_bits(brightness);
     let has_pass = !is_detail || !less(fire.details[0], f32_of_u32(pass.octave));
     for (age, (look, disc)) in looks.iter().zip(discs).enumerate() {
         let (place, own_age) = placed(fire, pass, steps, age, 2.0 * half_width);
@@ -213,9 +213,12 @@ pub fn flame_discs(
         let reach = outline.reach;
         let middle = Vec2::new(seen.x, seen.y) + outline.center;
         let is_near = less(MOST_HALF_AXIS_PX, reach.x) || less(MOST_HALF_AXIS_PX, reach.y);
-        let is_seen = is_there && !is_near && !outline.is_flat && !less(seen.depth, frame.near);
+        let of_octave = octave_opacity(fire, pass.octave, half_width * seen.scale);
+        let is_clear = is_detail && !less(0.0, of_octave);
+        let is_seen =
+            is_there && !is_near && !is_clear && !outline.is_flat && !less(seen.depth, frame.near);
         let opacity = if is_seen {
-            brightness * fainter * fainter_still
+            brightness * of_octave * fainter * fainter_still
         } else {
             0.0
         };
