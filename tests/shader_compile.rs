@@ -164,6 +164,8 @@ fn every_wgsl_file_is_listed_once() {
         .map(|s| s.file)
         .collect();
     listed.sort_unstable();
+    // One that is run twice has two names.
+    listed.dedup();
     assert_eq!(found, listed);
 
     let mut basenames: Vec<_> = KERNELS

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use super::GpuBackend;
+use super::device::GpuDevice;
 use super::dispatch::dispatch_for;
 use super::flame_tiling::SMALL_SHARES;
 use super::kernel::Kernel;
@@ -57,6 +58,8 @@ enum Work {
     LargePages,
     /// Flock by flock, one a boid.
     Boids,
+    /// The same, if they may have been too many for the first time.
+    BoidsAgain,
     /// The same, of flocks with trails.
     TrailedBoids,
     /// Fire by fire, one a flame.
@@ -381,6 +384,11 @@ pub static STAGE_KERNELS: &[KernelUse] = &[
         work: Work::Boids,
     },
     KernelUse {
+        stage: Stage::Steer,
+        kernel: "flock/steer_again",
+        work: Work::BoidsAgain,
+    },
+    KernelUse {
         stage: Stage::Kindle,
         kernel: "flames/kindle",
         work: Work::Fires,
@@ -685,7 +693,10 @@ pub fn stages_of(kernel: &str) -> impl Iterator<Item = Stage> + Clone {
 }
 
 /// Whether a run of the plan ever dispatches the kernel; those of no stage are always at hand.
-pub(super) fn is_used(kernel: &str, plan: &Plan) -> bool {
+pub(super) fn is_used(kernel: &str, plan: &Plan, gpu: &GpuDevice) -> bool {
+    if kernel == "flock/steer_again" && !(plan.uses.throngs && gpu.ends_loops()) {
+        return false;
+    }
     let mut stages = stages_of(kernel);
     stages.clone().next().is_none() || stages.any(|stage| plan.has(stage))
 }
@@ -853,7 +864,8 @@ impl GpuBackend {
             }
             Work::Pixels => push(0, 0, &[], direct((plan.width * plan.height).div_ceil(4))),
             Work::CellRuns => push(0, 0, &[], direct(plan.cell_count.div_ceil(64))),
-            Work::Boids => plan
+            Work::BoidsAgain if !self.kernels.contains_key(kernel) => Ok(()),
+            Work::Boids | Work::BoidsAgain => plan
                 .boid_counts()
                 .zip(0..)
                 .try_for_each(|(count, flock)| push(0, 0, &[flock], direct(count))),

@@ -112,6 +112,12 @@ impl GpuDevice {
         self.is_exact() && is_wide(&self.device)
     }
 
+    /// Whether its driver is known to end the loops of an invocation when they have turned 65,535 times in all,
+    /// so that what takes more is worth a second kernel. Others, if they do, are found out where it counts.
+    pub(super) fn ends_loops(&self) -> bool {
+        self.description.name.starts_with("llvmpipe")
+    }
+
     /// The device, to make textures and pipelines of the caller's own with.
     pub fn device(&self) -> &wgpu::Device {
         &self.device

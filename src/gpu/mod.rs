@@ -194,7 +194,6 @@ impl GpuBackend {
             )));
         }
         let mut kernels = HashMap::new();
-        let off = switches_off(plan);
         let exact = gpu.description.exact && !options.plain;
         let form = if exact {
             KernelForm::Spirv
@@ -205,12 +204,13 @@ impl GpuBackend {
         let tiling = Tiling::new(plan, options);
         let memory = Memory::new(gpu, plan, most_page_bytes, wide, tiling)?;
         let is_run =
-            |name| (wide || !WIDE_KERNELS.contains(&name)) && commands::is_used(name, plan);
+            |name| (wide || !WIDE_KERNELS.contains(&name)) && commands::is_used(name, plan, gpu);
         let all = shader::sources::KERNELS.iter();
         for source in all.filter(|source| is_run(source.name)) {
             let mutate = mutation
                 .filter(|mutation| mutation.kernel == source.name)
                 .map(|mutation| mutation.change);
+            let off = switches_off(plan, gpu, source.name, wide);
             let compiled = shader::compile(
                 source.name,
                 &shader::CompileOptions {

@@ -1,5 +1,6 @@
 //! How a plan is run on a device, and what of the kernels it leaves out.
 
+use super::device::GpuDevice;
 use crate::plan::Plan;
 
 /// A change that a test makes to one kernel's module.
@@ -35,10 +36,21 @@ pub struct GpuOptions {
     pub timed: bool,
 }
 
-/// Switches of what the plan does not use.
-pub(super) fn switches_off(plan: &Plan) -> Vec<&'static str> {
+/// Switches that are off in a kernel of the plan: of what this does not use, or another kernel does.
+pub(super) fn switches_off(
+    plan: &Plan,
+    gpu: &GpuDevice,
+    kernel: &str,
+    wide: bool,
+) -> Vec<&'static str> {
     let switches = plan.uses.switches().into_iter();
+    let throngs = plan.uses.throngs;
+    // Who has been cut is counted in words that only wide devices have a binding for.
+    let again = wide && gpu.ends_loops();
+    let sixteens = throngs && (!wide || kernel == "flock/steer_again");
     switches
+        .filter(|(switch, _)| *switch != "THRONGS")
+        .chain([("THRONGS", throngs && again), ("SIXTEENS", sixteens)])
         .filter_map(|(switch, used)| (!used).then_some(switch))
         .collect()
 }

@@ -185,6 +185,7 @@ impl GpuBackend {
             return Ok(());
         }
         let overlooked = self.memory.named("overlooked")?;
+        // The second word tells kernels which frame has crowds.
         let counted = readback::words(&self.gpu, overlooked, 4)?;
         let counted: u64 = counted.into_iter().map(u64::from).sum();
         if counted == 0 {

@@ -291,6 +291,8 @@ static TABLE: &[Line] = &[
     ("flock/steer", |load| {
         (load.boids, load.boids * 2 * BOID + load.full_cells() * WORD)
     }),
+    // But for crowds it does nothing.
+    ("flock/steer_again", |_| (0, 0)),
     ("flames/kindle", |load| (load.flames, load.flames * FLAME)),
     ("flames/dropped", |load| {
         (load.dropped, load.dropped * (DROPPED + FLAME))

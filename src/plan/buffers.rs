@@ -437,7 +437,7 @@ pub static BUFFERS: &[Buffer] = {
             Count::Cells { over: 1, extra: 1 },
         ),
         buffer_of("cell_members", Scratch, "u32", 4, Count::Boids),
-        buffer_of("overlooked", Scratch, "u32", 4, Count::Fixed(1)),
+        buffer_of("overlooked", Scratch, "u32", 4, Count::Fixed(2)),
         buffer_of(
             "sorted_boids",
             State,

@@ -81,7 +81,7 @@ uses! {
     meshes "MESHES";
     /// Boids that look at more others than a loop of a software driver turns.
     crowds "CROWDS";
-    /// Boids that look at more than four times as many.
+    /// Boids that look at more than four times as many, for whom there is a second time.
     throngs "THRONGS";
     /// A planet, which splits the picture.
     planet "PLANET";

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeSet, HashMap};
 
-use motes::gpu::shader::sources::{KERNELS, LIBRARIES};
+use motes::gpu::shader::sources::{KERNELS, LIBRARIES, Source};
 use motes::gpu::shader::{self, CompileOptions, CompiledKernel, ShaderError};
 use motes::gpu::{GpuBackend, GpuDevice, KernelForm, STAGE_KERNELS};
 
@@ -29,7 +29,9 @@ pub(crate) struct File {
 
 /// All such files.
 pub(crate) fn files() -> Vec<File> {
-    let names = || KERNELS.iter().map(|source| source.name);
+    // What has another's file is mutated under the other's name.
+    let own_file = |source: &&Source| source.file == format!("wgsl/{}.wgsl", source.name);
+    let names = || KERNELS.iter().filter(own_file).map(|source| source.name);
     let is_probed = |path: &str| PROBES.iter().any(|probe| probe.libraries.contains(&path));
     let own = names().map(|name| File {
         name,

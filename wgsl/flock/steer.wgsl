@@ -1,9 +1,10 @@
-// steer: each boid looks at those around it, steers and moves.
+// steer and steer_again: each boid looks at those around it, steers and moves.
 //
 // Reynolds 1987 as the flocking article has it: separation, alignment and cohesion, avoidance and
 // attraction, what drives boids besides each other, then Particle.update and the edges. All see the
 // state of the frame before, so that the order of the boids does not matter. One invocation a boid of
-// the flock, in sorted order.
+// the flock, in sorted order. Where there are throngs, steer_again does it once more if a driver has ended
+// a loop of anybody in steer, with more boids a turn: for few, turns of few are faster.
 // Reads: frame, flocks, relations, obstacles, solid_faces, winds, cell_starts, sorted_boids. Writes:
 // boids, boid_trails; overlooked on devices with 64-bit integers, as software ones that end loops have.
 // Invariant: whoever is nearer than a relation's radius is looked at, and everybody at most once; boids for
@@ -27,6 +28,8 @@ const WORKGROUP_SIZE: u32 = #{WORKGROUP_SIZE}u;
 // times as many.
 const CROWDS: bool = #{CROWDS};
 const THRONGS: bool = #{THRONGS};
+// Whether sixteen others are looked at a turn.
+const SIXTEENS: bool = #{SIXTEENS};
 // Whether any flock has depth.
 const DEPTHS: bool = #{DEPTHS};
 // Whether opposite edges of any flock are the same.
@@ -68,7 +71,8 @@ var<immediate> which: Which;
 @group(0) @binding(8) var<storage, read_write> boid_trails: array<vec4<u32>>;
 @group(0) @binding(9) var<storage, read> solid_faces: array<vec4<f32>>;
 #if WIDE == true
-// Others have no binding left for it.
+// How many boids are overlooked, and one past the last frame in which steer has been cut. Other devices have
+// no binding left for it.
 @group(0) @binding(10) var<storage, read_write> overlooked: array<atomic<u32>>;
 #endif
 
@@ -225,7 +229,7 @@ fn visited_all(perceived: Perceived, view: View, range: vec2<u32>) -> Perceived 
     var all = perceived;
     var at = range.x;
     loop {
-        if THRONGS {
+        if SIXTEENS {
             all = all_carried(visited_sixteen(all, view, at, range.y));
             at += 16u;
         } else if CROWDS {
@@ -371,7 +375,13 @@ fn steer(@builtin(global_invocation_id) global_id: vec3<u32>) {
     let flock = flocks[which.flock];
     let lone_wind = winds[0];
     let at = linear_index(global_id, WORKGROUP_SIZE);
-    if at >= flock.members.y {
+    var is_idle = at >= flock.members.y;
+#if WIDE == true
+    if SIXTEENS {
+        is_idle |= atomicLoad(&overlooked[1]) != frame.frame + 1u;
+    }
+#endif
+    if is_idle {
         return;
     }
     let own = flock.members.x + at;
@@ -411,7 +421,11 @@ fn steer(@builtin(global_invocation_id) global_id: vec3<u32>) {
     cut_unless(!OBSTACLES || behind >= obstacles_end);
 #if WIDE == true
     if CROWDS && is_cut {
-        atomicAdd(&overlooked[0], 1u);
+        if THRONGS && !SIXTEENS {
+            atomicStore(&overlooked[1], frame.frame + 1u);
+        } else {
+            atomicAdd(&overlooked[0], 1u);
+        }
     }
 #endif
     if TRAILS && flock.trail.z > 0u {

@@ -68,6 +68,7 @@ pub(super) const SWITCHES: &[&str] = &[
     "MESHES",
     "CROWDS",
     "THRONGS",
+    "SIXTEENS",
     "PLANET",
     "GROUND",
     "SURFACES",

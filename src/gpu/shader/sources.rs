@@ -1,7 +1,8 @@
 //! The page that lists every WGSL file: the libraries under `wgsl/lib/` and the kernels.
 //!
 //! A kernel is one file with one compute entry point; its name is its path under `wgsl/` without
-//! the ending, and its basename is that of its twin on the processor. A file in `wgsl/` that is
+//! the ending, and its basename is that of its twin on the processor. One that is run twice, with other
+//! switches, has a second name. A file in `wgsl/` that is
 //! not listed here fails a test.
 
 use std::io::ErrorKind;
@@ -18,13 +19,23 @@ pub struct Source<'a> {
     pub text: &'a str,
 }
 
-macro_rules! sources {
-    ($($name:literal),* $(,)?) => {
-        &[$(Source {
+macro_rules! source {
+    ($name:literal) => {
+        source!($name, $name)
+    };
+    ($name:literal, $file:literal) => {
+        Source {
             name: $name,
-            file: concat!("wgsl/", $name, ".wgsl"),
-            text: include_str!(concat!("../../../wgsl/", $name, ".wgsl")),
-        }),*]
+            file: concat!("wgsl/", $file, ".wgsl"),
+            text: include_str!(concat!("../../../wgsl/", $file, ".wgsl")),
+        }
+    };
+}
+
+/// Files by their names; `"again" => "first"` is a kernel that has another's file.
+macro_rules! sources {
+    ($($name:literal $(=> $file:literal)?),* $(,)?) => {
+        &[$(source!($name $(, $file)?)),*]
     };
 }
 
@@ -114,6 +125,7 @@ pub static KERNELS: &[Source] = sources![
     "flock/cell_members",
     "flock/cells",
     "flock/steer",
+    "flock/steer_again" => "flock/steer",
     "flames/kindle",
     "flames/dropped",
     "flames/trace",
@@ -166,7 +178,7 @@ pub static KERNELS: &[Source] = sources![
 ];
 
 /// Kernels that only devices with 64-bit integers run.
-pub static WIDE_KERNELS: &[&str] = &["draw/unpack", "bench/copy_wide"];
+pub static WIDE_KERNELS: &[&str] = &["draw/unpack", "bench/copy_wide", "flock/steer_again"];
 
 /// Kernels of no frame: what others are measured against.
 pub static YARDSTICKS: &[Source] = sources![
@@ -225,7 +237,10 @@ impl KernelTexts {
 
     /// Where they would be below `folder`.
     pub fn files(folder: &Path) -> impl Iterator<Item = PathBuf> {
-        Self::sources().map(move |source| folder.join(source.name).with_extension("wgsl"))
+        Self::sources().map(move |source| {
+            let file = source.file.strip_prefix("wgsl/");
+            folder.join(file.unwrap_or(source.file))
+        })
     }
 
     fn sources() -> impl Iterator<Item = &'static Source<'static>> {
